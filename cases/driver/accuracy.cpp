@@ -52,7 +52,7 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
 }
 
 post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
-  plate::stop_if_asked("the search for srif.accuracy", ready.plate->communicator());
+  plate::stop_if_asked("the search for srif.accuracy", ready.plate->constraints());
   post::AccuracyTrial result{ready.plate.get(), {}, {}, 0, 0};
   if (analysis.kind == plate::Analysis::Kind::dynamic) {
     result = in_motion(ready, analysis, options);

@@ -54,7 +54,7 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
     const auto found = discretised(coarse, all);
     const auto methods = tip_methods(coarse, *found.plate);
     rows.push_back(fracture::of_all(
-        all, fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
+        *found.plate, fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
     for (const auto& tip : methods) works.push_back(tip.works());
   }
   for (const auto& row : rows) post::require_finite(row, "with twice the spacing");

@@ -16,6 +16,7 @@
 #include "cases/runs/response_run.hpp"
 #include "cases/runs/run_once.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/factor_rows.hpp"

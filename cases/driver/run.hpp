@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 
 namespace post {
 struct ResultsInMemory;

@@ -6,7 +6,6 @@
 
 #include "cases/input/case_file.hpp"
 #include "plate/formulations.hpp"
-#include "plate/model/communicator.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace cases {

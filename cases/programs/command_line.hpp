@@ -1,5 +1,6 @@
 #pragma once
 #include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 
 namespace cases {
 

@@ -56,7 +56,7 @@ Run run(const Source& source, bool fields, int threads) {
     } catch (const plate::NumericalError& error) {
       result.failure = error.what();
     }
-    plate::stop_if_asked("a run that has just ended", plate::single_process());
+    plate::stop_if_asked("a run that has just ended");
     return result;
   });
 }

@@ -13,7 +13,6 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
@@ -29,7 +28,7 @@ constexpr double told_deflection = 0.01, told_stress = 0.05;
 constexpr double thin = 3;  // spacings: thicker plates lock by less than 1 % where 20 spacings span them
 
 bool of_bonds(const plate::Formulation& plate, const plate::Problem& problem) {
-  return problem.discretization.formulation == &plate::ordinary && !plate.communicator().distributed();
+  return problem.discretization.formulation == &plate::ordinary && !plate.distributed();
 }
 
 bool is_thin(const plate::Problem& problem) {

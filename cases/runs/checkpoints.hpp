@@ -67,7 +67,7 @@ private:
   using Seconds = std::chrono::duration<double>;
   void take(const SaveState& save_state, const OwnValues& own);
   /// Collective: true where `here` is true on any rank. Ranks take and write together.
-  bool agreed(bool here) const { return checkpoints_.communicator().largest_of(here) > 0; }
+  bool agreed(bool here) const { return checkpoints_.agreed(here); }
   /// The wanted time from one to the next that takes so long.
   Seconds limited_interval(Seconds wanted, Seconds cost) const;
 

@@ -43,7 +43,7 @@ struct Case {
 double folded_norm(const plate::Formulation& plate, const Case& one) {
   auto pull = plate::PrescribedDisplacements(plate, one.load, one.lift).pull();
   plate.constraints().fold(pull);
-  const auto [squared] = plate::ordered_sum<1>(plate.communicator(), std::size_t(pull.size()), [&](std::size_t i) {
+  const auto [squared] = plate::ordered_sum<1>(plate, std::size_t(pull.size()), [&](std::size_t i) {
     return std::array<double, 1>{pull.data()[i] * pull.data()[i]};
   });
   return std::sqrt(squared);
@@ -92,7 +92,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
-  post::require_finite(state, when, plate_.communicator());
+  post::require_finite(state, when, plate_);
   const plate::PrescribedDisplacements prescribed(plate_, load, lift);
   const double work = post::slow_work(plate_, load, state) + prescribed.work(strained);
   const double strain = plate_.strain_energy(strained), heated = plate::stored(plate_, heat, state);
@@ -110,8 +110,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
     one.reactions = reactions.summary();
   }
   if (plan().srif)
-    one.srif =
-        of_all(plate_.communicator(), post::srifs(plate_, *plan().srif, ready_.tip_methods, strained, true, &heat));
+    one.srif = of_all(plate_, post::srifs(plate_, *plan().srif, ready_.tip_methods, strained, true, &heat));
   others_.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
@@ -125,11 +124,10 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
     extremes.frame(number, frame.resultants);
     outputs_.frame(plate_, std::move(frame));
   }
-  one.extremes = of_all(plate_.communicator(), extremes.found(&heat));
+  one.extremes = of_all(plate_, extremes.found(&heat));
   found_.push_back(std::move(one));
-  const bool rests =
-      !found_.back().of.empty() && post::is_zero(state, plate_.communicator());  // a combination that cancels
-  if (!rests && !post::moves(state, work, plate_.communicator()))
+  const bool rests = !found_.back().of.empty() && post::is_zero(state, plate_);  // a combination that cancels
+  if (!rests && !post::moves(state, work, plate_))
     post::require_motion(plate_, {prescribed.pull()}, state, work, warnings_);
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({strain + post::energy_about(plate_, lift), strain, work}, when);
@@ -205,7 +203,7 @@ void LoadCases::solve() {
     if (!problem.combinations.empty()) cases.push_back(std::move(now));
   }
   for (const auto& one : problem.combinations) {
-    plate::stop_if_asked("combinations", plate_.communicator());
+    plate::stop_if_asked("combinations", plate_.constraints());
     combine(one, cases);
     stopwatch.lap("srif");
   }

@@ -6,13 +6,14 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 
 namespace fracture {
 
 void MotionCheckpoints::checkpoint_to(RunCheckpoints& checkpoints, plate::DynamicOptions& options) {
-  options.due = [&] { return plate_.communicator().largest_of(checkpoints.due()) > 0; };
+  options.due = [&] { return plate::largest_of(plate_, checkpoints.due()) > 0; };
   options.save = [&](const plate::MotionCheckpoint& now) { save(checkpoints, now); };
   if (restore(checkpoints)) options.from = &memory_;
 }

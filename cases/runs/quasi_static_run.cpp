@@ -89,7 +89,7 @@ void QuasiStaticRun::observe(const Equilibrium& now) {
   const auto time = double(now.advance);
   advance_ = now.advance, factor_ = now.factor;
   const auto when = fmt::format("at advance {}", now.advance);
-  post::require_finite(model_->state(), when, plate.communicator());
+  post::require_finite(model_->state(), when, plate);
   state_ = now.factor * model_->state();
   post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
   row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/process.hpp"
+#include "plate/model/reduction.hpp"
 #include "post/files/checkpoints.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/sinks.hpp"
@@ -49,11 +49,6 @@ void clear(const RecordingOptions& options, bool goes_on) {
     post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
 }
 
-void wait_for_all(const plate::Communicator& all) {
-  std::array<std::int64_t, 1> ready{1};
-  all.sum(ready);
-}
-
 std::unique_ptr<RunCheckpoints> checkpoints_of(const RecordingOptions& options) {
   if (options.checkpoint_every <= 0) return nullptr;
   return std::make_unique<RunCheckpoints>(post::Checkpoints(*options.communicator, options.folder, run_of(options)),
@@ -90,7 +85,7 @@ Recording recording(const RecordingOptions& options) {
     std::filesystem::create_directories(options.folder);
     require_lock(lock.emplace(options.folder));
   }
-  wait_for_all(all);
+  plate::wait_for_all(all);
   auto checkpoints = checkpoints_of(options);
   const bool goes_on = options.goes_on && finds(checkpoints.get(), options);
   if (lock) clear(options, goes_on);
@@ -98,8 +93,8 @@ Recording recording(const RecordingOptions& options) {
       post::FolderOptions{options.folder, options.resolved, options.version, options.vtk, options.hdf5,
                           options.velocities, goes_on, options.communicator},
       std::move(lock));
-  wait_for_all(all);
-  return {{std::move(sink), options.resolved, options.version, all}, std::move(checkpoints)};
+  plate::wait_for_all(all);
+  return {{std::move(sink), options.resolved, options.version, post::ProcessesOfRun(all)}, std::move(checkpoints)};
 }
 
 }  // namespace fracture

@@ -89,8 +89,8 @@ double largest_deflection(const std::pair<plate::State, plate::State>& parts, st
 void ResponseRun::look(double frequency, const std::pair<plate::State, plate::State>& parts) {
   const auto when = fmt::format("at the frequency {:g}", frequency);
   const auto& [in_phase, quadrature] = parts;
-  post::require_finite(in_phase, when, plate_.communicator());
-  post::require_finite(quadrature, when, plate_.communicator());
+  post::require_finite(in_phase, when, plate_);
+  post::require_finite(quadrature, when, plate_);
   const auto& probes = outputs_.probes();
   for (std::size_t i = 0; i < probes.size(); ++i)
     std::ranges::move(
@@ -130,7 +130,7 @@ void ResponseRun::solve() {
   unknown_ = response.watched_change();
   reactions_.known_to(unknown_[2].front());
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    plate::stop_if_asked("a response", plate_.communicator());
+    plate::stop_if_asked("a response", plate_.constraints());
     const auto parts = response.at(i);
     look(frequencies[i], parts);
     if (const double w = largest_deflection(parts, plate_.cloud().plate_points); w > largest_)

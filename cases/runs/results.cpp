@@ -11,7 +11,6 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -62,10 +61,9 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
-    if (growth_) return of_all(plate_.communicator(), growth_->factors(now.state));
+    if (growth_) return of_all(plate_, growth_->factors(now.state));
     if (!plan().srif || factors_.known()) return {};
-    return of_all(plate_.communicator(),
-                  post::srifs(plate_, *plan().srif, tip_methods_, now.what_strains(), last, &heat));
+    return of_all(plate_, post::srifs(plate_, *plan().srif, tip_methods_, now.what_strains(), last, &heat));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
@@ -91,7 +89,7 @@ void Results::frame(const plate::Instant& now) {
 void Results::mode(std::size_t number, const plate::Mode& mode) {
   const auto when = fmt::format("of mode {}", number);
   post::require_finite({{"frequency", mode.frequency}, {"residual", mode.residual}}, when);
-  post::require_finite(mode.shape, when, plate_.communicator());
+  post::require_finite(mode.shape, when, plate_);
   frequencies_.push_back({number, mode.frequency, 2 * std::numbers::pi * mode.frequency, mode.residual});
   outputs_.recorder().mode(frequencies_.back());
   frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
@@ -147,8 +145,7 @@ void Results::finish() {
   summary.accuracy = accuracy_;
   summary.frequencies = frequencies_;
   post::conclude(summary, {section, plan().srif, plan().si(), history, reactions_, factors_.last()});
-  if (!growth_)
-    post::look_for_largest(summary, section, of_all(plate_.communicator(), extremes_.found()), times_, factors_.rows());
+  if (!growth_) post::look_for_largest(summary, section, of_all(plate_, extremes_.found()), times_, factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   outputs_.warn(post::left_out(plate_.tips(), tip_methods_));
@@ -172,7 +169,7 @@ void Results::memory(Archive& archive) {
 void Results::save(plate::OutArchive& archive) {
   outputs_.save(archive);
   const auto own = extremes_.so_far();
-  extremes_.so_far(of_all(plate_.communicator(), own));
+  extremes_.so_far(of_all(plate_, own));
   memory(archive);
   extremes_.so_far(own);
 }

@@ -91,8 +91,8 @@ private:
 };
 
 bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
-  return result.strained.cols() > 0 && post::is_zero(result.strained, plate.communicator()) &&
-         !post::is_zero(plate::total_lift(plate), plate.communicator());
+  return result.strained.cols() > 0 && post::is_zero(result.strained, plate) &&
+         !post::is_zero(plate::total_lift(plate), plate);
 }
 
 void SinglePlate::solve_static() {
@@ -115,7 +115,7 @@ void SinglePlate::solve_static() {
   if (result.factor_bytes > 0)
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate_.cloud().plate_points), 0});
   post::describe(summary.analysis, result.method, solution, analysis_.tolerance);
-  post::require_finite(solution.state, "in equilibrium", plate_.communicator());
+  post::require_finite(solution.state, "in equilibrium", plate_);
   const double work = post::slow_work(plate_, result);
   const double strain = plate_.strain_energy(result.what_strains());
   plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
@@ -130,7 +130,7 @@ void SinglePlate::solve_static() {
   summary.multipliers = plate_.multipliers(solution.state);
   summary.energy = {{"strain", results_.strain_energy()}, {"external_work", results_.external_work()}};
   add_elastic_support_energy(plate_, solution.state, summary);
-  if (!post::moves(solution.state, work, plate_.communicator()))
+  if (!post::moves(solution.state, work, plate_))
     post::require_motion(plate_, post::forces_of(plate_), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
@@ -161,7 +161,7 @@ std::function<void(const plate::Instant&)> SinglePlate::observer(std::size_t las
                       {"external_work", results_.external_work()}};
     add_elastic_support_energy(plate_, now.state, summary);
     if (analysis_.damping) summary.energy.emplace_back("dissipated", now.dissipated);
-    if (is_last && !post::moves(now.state, now.external_work, plate_.communicator()))
+    if (is_last && !post::moves(now.state, now.external_work, plate_))
       post::require_motion(plate_, post::forces_of(plate_), now.state, now.external_work, summary.warnings);
   };
 }
@@ -234,7 +234,7 @@ void SinglePlate::solve_frequencies() {
   const auto inverse = plate_.inverse_of_shifted(shift);
   const plate::FrequencyOptions options{
       analysis_.modes, analysis_.tolerance, analysis_.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
-        plate::stop_if_asked("frequencies", plate_.communicator());
+        plate::stop_if_asked("frequencies", plate_.constraints());
         progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
       }};
   summary.analysis.method = "lanczos";

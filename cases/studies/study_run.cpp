@@ -177,7 +177,7 @@ StudyOutcome make(const StudyJobs& study, const StudyOptions& options, const Led
       const auto record = record_of(study.jobs[i], study.repeats, options.folder, ledger);
       if (record) made.take(i, record->first, record->second);
       if (record && !options.part) made.write();
-      plate::stop_if_asked("a study: the same command goes on from here", plate::single_process());
+      plate::stop_if_asked("a study: the same command goes on from here");
       return record.has_value();
     });
     if (left.size() == before) std::this_thread::sleep_for(pause);

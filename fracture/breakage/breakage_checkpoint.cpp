@@ -7,8 +7,7 @@
 #include <tuple>
 
 #include "fracture/breakage/damaged_plate.hpp"
-#include "plate/model/communicator.hpp"
-#include "plate/solve/archive.hpp"
+#include "plate/solve/gathered_archives.hpp"
 
 namespace fracture {
 
@@ -32,24 +31,6 @@ std::optional<std::uint32_t> PointKeys::point(const PointKey& key) const {
   const auto found = fictitious_.find({long(column), long(row)});
   if (found == fictitious_.end() || found->second.size() < std::size_t(which)) return std::nullopt;
   return found->second[std::size_t(which) - 1];
-}
-
-std::vector<DamagedFamily> of_all(const plate::Communicator& all, std::vector<DamagedFamily> own) {
-  if (!all.distributed()) return own;
-  std::ostringstream text;
-  {
-    plate::OutArchive archive(text);
-    archive(own);
-  }
-  std::vector<DamagedFamily> result;
-  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
-    std::istringstream in(one);
-    plate::InArchive archive(in);
-    std::vector<DamagedFamily> theirs;
-    archive(theirs);
-    std::ranges::move(theirs, std::back_inserter(result));
-  }
-  return result;
 }
 
 void DamagedPlate::save(plate::OutArchive& archive) const {
@@ -78,7 +59,7 @@ BreakageCheckpoint DamagedPlate::memory() const {
     }
     result.families.push_back(std::move(one));
   }
-  result.families = of_all(communicator(), std::move(result.families));
+  result.families = plate::gathered_archives(boundary_.map, std::move(result.families));
   for (const auto& one : going_) result.going.emplace_back(one.number, one.share);
   result.events = events_, result.breakages = breakages_, result.easing_left = easing_left_;
   return result;

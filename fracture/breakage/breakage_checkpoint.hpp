@@ -62,9 +62,6 @@ struct BreakageCheckpoint {
   }
 };
 
-/// Families that have lost bonds, gathered from all ranks. Collective.
-std::vector<DamagedFamily> of_all(const plate::Communicator& all, std::vector<DamagedFamily> own);
-
 /// A point with its state and its velocity half a step before.
 struct SavedPoint {
   PointKey point{};

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "geometry/lattice/cloud.hpp"
-#include "plate/model/communicator.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace fracture {
 namespace {
@@ -58,13 +58,10 @@ Stiffest stiffest(const plate::FamilyOperator& plate, const plate::Boundary& bou
       bonds.push_back({vector.x(), vector.y(), own[i].B, own[i].S});
     }
   }
-  if (boundary.map.distributed()) {
-    const plate::Communicator& all = *boundary.map.communicator;
-    const auto every = plate::gathered(all, std::vector{full});
-    const auto first = std::ranges::min_element(every, {}, &Full::rank);
-    full = *first;
-    bonds = plate::gathered(all, first - every.begin() == all.rank() ? bonds : std::vector<FullBond>{});
-  }
+  const auto every = plate::gathered(boundary.map, std::vector{full});
+  const auto first = std::ranges::min_element(every, {}, &Full::rank);
+  full = *first;
+  bonds = plate::gathered(boundary.map, first - every.begin() == boundary.map.rank() ? bonds : std::vector<FullBond>{});
   Stiffest result{stiffest_family * full.bending, stiffest_family * full.shear, {}};
   for (const auto& vector : families.vectors()) {
     const geometry::Point x = vector / spacing;

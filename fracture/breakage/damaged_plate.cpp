@@ -182,7 +182,7 @@ std::optional<std::size_t> DamagedPlate::break_bonds(const geometry::CrackPath& 
     waits = number >= 0 && changed_[std::size_t(number)].ongoing;
     result.points.push_back(k);
   }
-  if (communicator().largest_of(waits) > 0) return std::nullopt;
+  if (plate::largest_of(map(), waits) > 0) return std::nullopt;
   ++breakages_, ++events_;
   for (const auto& [k, i] : bonds) lose(k, i, 0), change(k).ongoing = true;
   for (const auto k : result.points) retarget(k);
@@ -205,7 +205,7 @@ double DamagedPlate::carry_on(std::size_t number, double share, const Motion& mo
 
 double DamagedPlate::norm(plate::Forces force, const plate::Forces& diagonal) const {
   boundary_.constraints.fold(force);
-  const auto [sum] = plate::ordered_sum<1>(communicator(), std::size_t(force.size()), [&](std::size_t i) {
+  const auto [sum] = plate::ordered_sum<1>(map(), std::size_t(force.size()), [&](std::size_t i) {
     const double f = force.data()[i], d = diagonal.data()[i];
     return std::array<double, 1>{d > 0 ? f * f / d : 0};
   });
@@ -213,7 +213,7 @@ double DamagedPlate::norm(plate::Forces force, const plate::Forces& diagonal) co
 }
 
 double DamagedPlate::sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const {
-  return plate::ordered_sum<1>(communicator(), points.size(), [&](std::size_t i) {
+  return plate::ordered_sum<1>(map(), points.size(), [&](std::size_t i) {
     return std::array<double, 1>{boundary_.owns(points[i]) ? values[i] : 0};
   })[0];
 }

@@ -87,7 +87,7 @@ public:
   /// Families without the bonds that have broken so far.
   const geometry::Families& families() const { return families_; }
   const plate::FamilyOperator& base() const { return base_; }
-  const plate::Communicator& communicator() const { return *boundary_.map.communicator; }
+  const plate::PointMap& map() const { return boundary_.map; }
   const BrokenBonds& broken() const { return broken_; }
   /// Factor of the dilatation [force length] and weights of the i-th bond of the base's family, as they are now.
   double a(std::size_t k) const;

@@ -4,7 +4,6 @@
 
 #include "fracture/breakage/breakage_checkpoint.hpp"
 #include "plate/formulation/pieces.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 #include "plate/solve/archive.hpp"
@@ -27,7 +26,7 @@ void DetachedPieces::look(const plate::Step& now) {
     return result;
   };
   fresh_.state = of(now.state), fresh_.velocity = of(now.velocity);
-  any_fresh_ = plate_.communicator().largest_of(!fresh_.points.empty()) > 0;
+  any_fresh_ = plate::largest_of(plate_.map(), !fresh_.points.empty()) > 0;
 }
 
 /// Freezes the detached pieces from the step before on; the energy that central differences count there is of the
@@ -38,12 +37,11 @@ void DetachedPieces::freeze(const plate::Step& now) {
     all.emplace_back(frozen_.points[i], frozen_.state.col(Eigen::Index(i)));
   for (std::size_t i = 0; i < fresh_.points.size(); ++i)
     all.emplace_back(fresh_.points[i], fresh_.state.col(Eigen::Index(i)));
-  energy_ +=
-      plate::ordered_sum<1>(plate_.communicator(), fresh_.points.size(), [&](std::size_t i) {  // ghosts have no mass
-        const auto k = fresh_.points[i];
-        return std::array<double, 1>{
-            mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};
-      })[0];
+  energy_ += plate::ordered_sum<1>(plate_.map(), fresh_.points.size(), [&](std::size_t i) {  // ghosts have no mass
+    const auto k = fresh_.points[i];
+    return std::array<double, 1>{
+        mass_.col(k).cwiseProduct(fresh_.velocity.col(Eigen::Index(i))).dot(now.velocity.col(k)) / 2};
+  })[0];
   std::ranges::sort(all, {}, [](const auto& one) { return one.first; });
   fresh_ = {}, frozen_ = {}, any_fresh_ = false, any_frozen_ = true;
   frozen_.state.resize(plate::unknowns_per_point, Eigen::Index(all.size()));
@@ -63,7 +61,7 @@ std::vector<SavedPoint> DetachedPieces::of_all(const PointStates& states, const 
   for (std::size_t i = 0; i < states.points.size(); ++i)
     if (const auto k = states.points[i]; boundary_.owns(k))
       own.push_back({keys.of(k), column(states.state, i), column(states.velocity, i)});
-  return plate::gathered(plate_.communicator(), own);
+  return plate::gathered(plate_.map(), own);
 }
 
 DetachedPieces::PointStates DetachedPieces::seen(const std::vector<SavedPoint>& states, const PointKeys& keys) {
@@ -85,7 +83,7 @@ DetachedPieces::PointStates DetachedPieces::seen(const std::vector<SavedPoint>& 
 
 void DetachedPieces::save(plate::OutArchive& archive) const {
   const PointKeys keys(boundary_);
-  const bool looks = plate_.communicator().largest_of(plate_.broken().count() > broken_) > 0;  // when it is time
+  const bool looks = plate::largest_of(plate_.map(), plate_.broken().count() > broken_) > 0;  // when it is time
   archive(of_all(fresh_, keys), of_all(frozen_, keys), looks, any_fresh_, any_frozen_, energy_);
 }
 
@@ -105,7 +103,7 @@ void DetachedPieces::before_force(const plate::Step& now) {
     now.velocity.col(frozen_.points[i]).setZero();
   }
   if (any_frozen_) plate_.constraints().fetch(now.state);  // as their owners have them
-  if (now.step % look_every == 0 && plate_.communicator().largest_of(plate_.broken().count() > broken_) > 0) look(now);
+  if (now.step % look_every == 0 && plate::largest_of(plate_.map(), plate_.broken().count() > broken_) > 0) look(now);
   growth_.before_force(now);
 }
 

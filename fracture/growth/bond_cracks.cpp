@@ -7,8 +7,8 @@
 
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/shape/crack_path.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace fracture {
 namespace {
@@ -67,7 +67,7 @@ std::vector<std::array<geometry::Point, 2>> parted(const plate::Formulation& pla
           if (const auto& v = boundary.lattice[*j]; geometry::separates(path, u, v))
             own.push_back({u.x(), u.y(), v.x(), v.y()});
   }
-  own = plate::gathered(plate.communicator(), own);
+  own = plate::gathered(plate, own);
   std::vector<std::array<geometry::Point, 2>> result;
   for (const auto& [x, y, z, t] : own) result.push_back({geometry::Point(x, y), geometry::Point(z, t)});
   return result;
@@ -80,7 +80,7 @@ BondCracks::BondCracks(const plate::Formulation& plate, std::optional<double> fa
       given_(plate.paths()),
       fastest_(fastest),
       numbers_(std::make_shared<const PointNumbers>(plate.boundary())),
-      inside_(plate.communicator().distributed() ? by_outline(plate) : by_points(plate)) {
+      inside_(plate.distributed() ? by_outline(plate) : by_points(plate)) {
   for (const auto& [p, q] : parted(plate)) graph_.part(p, q, 0);
   first_sides_ = graph_.sides();
   find_lines();

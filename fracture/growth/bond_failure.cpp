@@ -6,7 +6,6 @@
 
 #include "fracture/growth/distributed_growth.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/reduction.hpp"
 
 namespace fracture {
@@ -224,7 +223,7 @@ std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& st
     if (const double now = demand(k, i, state); now >= least)
       result.push_back({{numbers_->of(std::min(k, j)), numbers_->of(std::max(k, j))}, now});
   }
-  result = plate::gathered(plate_.communicator(), result);
+  result = plate::gathered(plate_.map(), result);
   std::ranges::sort(result, [](const auto& p, const auto& q) {
     return p.demand != q.demand ? p.demand > q.demand : p.bond < q.bond;
   });
@@ -243,7 +242,7 @@ double BondCheck::largest(const plate::State& state) {
       if (const auto j = family[i].neighbour; j > k && may_break(k, i, j))
         result = std::max(result, demand(k, i, state));
   }
-  return plate_.communicator().largest_of(result);
+  return plate::largest_of(plate_.map(), result);
 }
 
 std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const {
@@ -290,7 +289,7 @@ std::vector<std::uint32_t> BondCheck::numbers(const std::vector<std::uint32_t>& 
   std::vector<std::uint32_t> result;
   for (const auto k : suspects)
     if (boundary_.owns(k)) result.push_back(numbers_->of(k));
-  result = plate::gathered(plate_.communicator(), result);
+  result = plate::gathered(plate_.map(), result);
   std::ranges::sort(result);
   return result;
 }

@@ -3,37 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/gathered_archives.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/summary.hpp"
 
 namespace fracture {
 
 namespace {
-
-/// Gathers the values of all ranks, one rank after the other. Collective.
-template <typename T>
-std::vector<T> gathered_archives(const plate::Communicator& all, const std::vector<T>& own) {
-  std::ostringstream text;
-  {
-    cereal::BinaryOutputArchive archive(text);
-    archive(own);
-  }
-  std::vector<T> result;
-  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
-    std::istringstream in(one);
-    cereal::BinaryInputArchive archive(in);
-    std::vector<T> theirs;
-    archive(theirs);
-    std::ranges::move(theirs, std::back_inserter(result));
-  }
-  return result;
-}
 
 /// Order of peaks that does not depend on the order of the ranks: the larger comes first, then the earlier, the lower,
 /// the one to the left.
@@ -81,16 +61,16 @@ std::shared_ptr<const plate::Surroundings> overlap_of_growth(const plate::Formul
   return seen ? std::make_shared<const plate::Surroundings>(std::move(*seen)) : nullptr;
 }
 
-std::vector<post::Srif> of_all(const plate::Communicator& all, std::vector<post::Srif> own) {
-  if (!all.distributed()) return own;
-  auto result = gathered_archives(all, own);
+std::vector<post::Srif> of_all(const plate::Formulation& plate, std::vector<post::Srif> own) {
+  if (!plate.distributed()) return own;
+  auto result = plate::gathered_archives(plate, own);
   std::ranges::stable_sort(result, {}, &post::Srif::tip);
   return result;
 }
 
-std::vector<post::Peak> of_all(const plate::Communicator& all, std::vector<post::Peak> own) {
-  if (!all.distributed()) return own;
-  auto found = gathered_archives(all, own);
+std::vector<post::Peak> of_all(const plate::Formulation& plate, std::vector<post::Peak> own) {
+  if (!plate.distributed()) return own;
+  auto found = plate::gathered_archives(plate, own);
   std::vector<post::Peak> result;
   for (const auto& one : own) {
     std::erase_if(found, [&](const post::Peak& peak) { return peak.quantity == one.quantity && !peak.position; });

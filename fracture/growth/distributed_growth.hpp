@@ -7,7 +7,6 @@
 #include "post/factors/srif.hpp"
 
 namespace plate {
-class Communicator;
 class Formulation;
 struct Surroundings;
 }  // namespace plate
@@ -42,8 +41,8 @@ private:
 std::shared_ptr<const plate::Surroundings> overlap_of_growth(const plate::Formulation& start, bool tips);
 
 /// The factors that all processes have found, by tips.
-std::vector<post::Srif> of_all(const plate::Communicator& all, std::vector<post::Srif> own);
+std::vector<post::Srif> of_all(const plate::Formulation& plate, std::vector<post::Srif> own);
 /// Largest value of every quantity over all ranks, and its place.
-std::vector<post::Peak> of_all(const plate::Communicator& all, std::vector<post::Peak> own);
+std::vector<post::Peak> of_all(const plate::Formulation& plate, std::vector<post::Peak> own);
 
 }  // namespace fracture

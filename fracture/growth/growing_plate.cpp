@@ -7,7 +7,6 @@
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
@@ -91,7 +90,7 @@ LoadedPlate GrowingPlate::full_load(const std::vector<geometry::Polyline>& crack
   const plate::Formulation& plate = *found.plate;
   std::vector<std::string> split;
   for (const auto& one : plate::loose(plate)) split.push_back(one.what);
-  if (communicator_.distributed() && plate.held() && !split.empty()) throw plate::NumericalError(split.front());
+  if (plate.distributed() && plate.held() && !split.empty()) throw plate::NumericalError(split.front());
   if (!split.empty()) return {fmt::format("{}", fmt::join(split, "; ")), 0, {}};
   LoadedPlate result;
   for (const auto& tip : plate.tips())
@@ -107,7 +106,7 @@ LoadedPlate GrowingPlate::full_load(const std::vector<geometry::Polyline>& crack
   result.held = 2 * plate::PrescribedDisplacements(*solved.plate, load, lift).work(state);
   result.displacement = 2 * post::slow_work(*solved.plate, state);
   post::require_finite({{"work", result.displacement}}, "under the whole load");
-  if (!post::moves(state, result.displacement, communicator_))
+  if (!post::moves(state, result.displacement, *solved.plate))
     post::require_motion(*solved.plate, post::forces_of(*solved.plate), state, result.displacement, warnings_);
   for (std::size_t i = 0; i < tips.size(); ++i) {
     if (!post::ringed(problem_, solved.plate->paths(), tips[i])) {
@@ -133,10 +132,9 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solved.method,
                                             solution.stop_reason, solution.residual, solver_.options.tolerance));
-  post::require_finite(solution.state, "in equilibrium", communicator_);
+  post::require_finite(solution.state, "in equilibrium", plate);
   const auto heat = plate::heat_of(plate, 1);
-  auto factors =
-      of_all(communicator_, post::srifs(plate, options_of_factors_, methods, solved.what_strains(), true, &heat));
+  auto factors = of_all(plate, post::srifs(plate, options_of_factors_, methods, solved.what_strains(), true, &heat));
   post::require_finite(factors, "under the whole load");
   stopwatch_.lap("srif");
   latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors)};

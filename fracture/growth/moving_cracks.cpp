@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plate/model/communicator.hpp"
+#include "plate/model/reduction.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
@@ -54,7 +54,6 @@ std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip&
 /// Evaluates a tip on the rank that has it and sends the result to all ranks.
 MovingCracks::TipMeasurement MovingCracks::look(MovingTip& tip, const plate::State& state,
                                                 const plate::Forces& force) const {
-  const plate::Communicator& all = plate_.communicator();
   std::vector<TipMeasurement> seen;
   if (plate_.here(tip.tip.position)) {
     if (!tip.gauge) tip.gauge = gauge(tip.tip);
@@ -69,7 +68,7 @@ MovingCracks::TipMeasurement MovingCracks::look(MovingTip& tip, const plate::Sta
       seen.emplace_back();
     }
   }
-  return plate::gathered(all, seen).at(0);
+  return plate::gathered(plate_.map(), seen).at(0);
 }
 
 std::vector<std::pair<std::size_t, geometry::Tip>> MovingCracks::tips() const {
@@ -188,7 +187,7 @@ void MovingCracks::after_force(const plate::Step& now, const plate::Forces& forc
   for (std::size_t i = 0; i < tips_.size(); ++i) {
     auto& tip = tips_[i];
     if (tip.running || tip.ended || now.step < tip.next_look) continue;
-    if ((plate_.communicator().distributed() || !elastic_supports.parts().empty()) && own.size() == 0) {
+    if ((plate_.map().distributed() || !elastic_supports.parts().empty()) && own.size() == 0) {
       own = force;
       elastic_supports.take_force(now.state, own);
       plate_.constraints().fetch(own);

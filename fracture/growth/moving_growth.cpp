@@ -107,7 +107,7 @@ void BreakingBonds::after_force(const plate::Step& now, const plate::Forces&) {
   if (ended_) return;
   if (now.step >= next_search_) {
     suspects_ = check_.suspects(now.state);
-    suspected_ = plate_.communicator().largest_of(!suspects_.empty()) > 0;
+    suspected_ = plate::largest_of(plate_.map(), !suspects_.empty()) > 0;
     next_search_ = now.step + search_every;
   }
   if (!suspected_) return;

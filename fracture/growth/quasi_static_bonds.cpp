@@ -141,7 +141,7 @@ std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) 
       result.push_back(std::move(srif));
     }
   }
-  return of_all(plate_.communicator(), std::move(result));
+  return of_all(start_, std::move(result));
 }
 
 plate::Mesh QuasiStaticBonds::draw(post::Frame& frame, const plate::State& state) const {

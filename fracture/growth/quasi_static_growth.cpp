@@ -19,8 +19,8 @@ std::optional<End> end_of(const Growth& growth, const QuasiStaticModel& model, c
 
 }  // namespace
 
-const plate::Communicator& QuasiStaticModel::communicator() const {
-  return plate().communicator();
+const plate::Constraints& QuasiStaticModel::constraints() const {
+  return plate().constraints();
 }
 
 QuasiStaticOutcome grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,
@@ -60,7 +60,7 @@ QuasiStaticOutcome grow_quasi_statically(const Growth& growth, QuasiStaticModel&
       return result;
     }
     if (continuation.hold) continuation.hold(load);
-    plate::stop_if_asked("a quasi-static growth", model.communicator());
+    plate::stop_if_asked("a quasi-static growth", model.constraints());
     if (!goes_on()) return result;
   }
 }

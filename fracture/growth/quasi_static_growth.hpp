@@ -9,6 +9,10 @@
 #include "post/factors/srif.hpp"
 #include "post/files/frame.hpp"
 
+namespace plate {
+class Constraints;
+}
+
 namespace fracture {
 
 /// A plate in equilibrium with the whole load, as far as it has grown.
@@ -54,7 +58,7 @@ public:
   // What is seen of it.
   virtual const plate::Formulation& plate() const = 0;               // of the last solution
   virtual const plate::State& state() const = 0;                     // of it, under the whole load
-  virtual const plate::Communicator& communicator() const;           // of the plate
+  virtual const plate::Constraints& constraints() const;             // of the plate
   virtual const plate::Operator& forces() const { return plate(); }  // as it is now
   virtual const plate::StaticSolution& solution() const = 0;         // how it was found, without its state
   /// Amount by which strain energy and work exceed those without temperatures (plate::stored()), of the last solution

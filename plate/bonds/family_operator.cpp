@@ -207,7 +207,7 @@ Forces force_of_curvature(const geometry::Families& families, const std::vector<
       if (map.owns(std::size_t(k))) largest = std::max(largest, std::abs(couple));
     }
   }
-  largest = map.communicator->largest_of(largest);
+  largest = largest_of(map, largest);
   return (result.array().abs() > rounding * largest).select(result, 0);
 }
 

@@ -5,7 +5,7 @@
 #include "plate/bonds/horizon_parameters.hpp"
 #include "plate/formulation/elastic_supports.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 
 namespace plate {
 

@@ -22,6 +22,7 @@
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/pieces.hpp"
 #include "plate/formulation/springs_and_stiffeners.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/process.hpp"
@@ -131,12 +132,11 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
-  if (!communicator().distributed())
-    return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
+  if (!distributed()) return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
   // forces of a point, and of its image beyond an edge, are of what is two horizons away
   const auto near =
       surroundings(problem().outline, discretization(), boundary(), 4 * discretization().horizon_ratio + 2);
-  return std::make_unique<DistributedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_, true, near->known),
+  return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_, true, near->known),
                                              near->exchange.get());
 }
 
@@ -145,7 +145,7 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
   using enum Preconditioning;
   const auto usual = [&] {
     const auto here = may_move() ? diagonal : usual_preconditioner_of_bonds(problem(), double(points()));
-    return communicator().largest_of(here == diagonal) > 0 ? diagonal : here;
+    return largest_of(*this, here == diagonal) > 0 ? diagonal : here;
   };
   if (wanted == automatic) wanted = usual();
   if (wanted == diagonal) return {nullptr, "diagonal"};
@@ -155,7 +155,7 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::inverse_of_shifted(double shift) const {
-  if (communicator().distributed() || 4 * factor_bytes(double(points())) > free_memory() / 2)
+  if (distributed() || 4 * factor_bytes(double(points())) > free_memory() / 2)
     return Formulation::inverse_of_shifted(shift);
   return std::make_unique<ShortHorizonPreconditioner>(op_, boundary(), section(), discretization(), shift * mass());
 }
@@ -233,7 +233,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   Layout layout{problem,
                 {},
                 geometry::tips(paths),
-                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), all),
+                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}),
                 {},
                 {}};
   auto& boundary = layout.boundary;

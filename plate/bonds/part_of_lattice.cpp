@@ -123,7 +123,7 @@ std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, c
 /// Fictitious points: those that follow a w are of whom that is, the others of whose block is nearest. Whatever is held
 /// alone reacts there, and each reaction must count once.
 void own_fictitious(const PartOfLattice& part, const Overlap& seen, Boundary& boundary) {
-  const int self = boundary.map.communicator->rank();
+  const int self = boundary.map.rank();
   for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
     boundary.map.owned[k] = part.partition.nearest_owner(seen.cell(k)) == self;
   for (const auto& tie : boundary.constraints.ties())

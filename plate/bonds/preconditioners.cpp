@@ -7,8 +7,8 @@
 
 #include "plate/bonds/family_weights.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/matrices/factor.hpp"
@@ -306,13 +306,13 @@ private:
 
 class DistributedCoarsePlate : public CoarsePlate {
 public:
-  DistributedCoarsePlate(const Communicator& all, const Operator& L, const Transfer& transfer, const Boundary& boundary)
+  DistributedCoarsePlate(const Operator& L, const Transfer& transfer, const Boundary& boundary)
       : constraints_(boundary.constraints),
         points_(Eigen::Index(boundary.cloud.size())),
         fine_(transfer.fine_points()) {
     for (std::uint32_t i = 0; i < fine_.size(); ++i)
       if (boundary.owns(fine_[i])) own_.push_back(i);
-    inverse_ = all.inverse(rows(L, transfer, boundary, numbers(all)));
+    inverse_ = boundary.map.communicator->inverse(rows(L, transfer, boundary, numbers(boundary.map)));
   }
 
   void solve(const Forces& force, State& u) const override {
@@ -338,9 +338,9 @@ private:
   }
 
   /// Global numbers of all coarse points seen on this rank; -1 where their owner is not asked.
-  std::vector<std::int64_t> numbers(const Communicator& all) const {
-    const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own_.size())});
-    const auto before = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
+  std::vector<std::int64_t> numbers(const PointMap& map) const {
+    const auto counts = gathered(map, std::vector<std::int64_t>{std::int64_t(own_.size())});
+    const auto before = std::accumulate(counts.begin(), counts.begin() + map.rank(), std::int64_t(0));
     std::vector<std::int64_t> fine(std::size_t(points_), 0);
     for (const auto k : fine_) fine[k] = -1;
     for (std::size_t n = 0; n < own_.size(); ++n) fine[fine_[own_[n]]] = before + std::int64_t(n);
@@ -405,8 +405,7 @@ private:
 }  // namespace
 
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary) {
-  if (boundary.map.distributed())
-    return std::make_unique<DistributedCoarsePlate>(*boundary.map.communicator, L, transfer, boundary);
+  if (boundary.map.distributed()) return std::make_unique<DistributedCoarsePlate>(L, transfer, boundary);
   return std::make_unique<FactorisedCoarsePlate>(coarse_stiffness(L, transfer, boundary.constraints));
 }
 

@@ -112,8 +112,8 @@ public:
   virtual std::size_t bytes() const = 0;
 };
 
-/// Constructs the coarse plate with a factor of its stiffness; in a distributed plate with the inverse of
-/// Communicator::inverse, exact at owned points and ghosts. `transfer` and `boundary` must outlive it.
+/// Constructs the coarse plate with a factor of its stiffness; in a distributed plate with the inverse that
+/// the processes find together, exact at owned points and ghosts. `transfer` and `boundary` must outlive it.
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary);
 
 /// Two-level preconditioner: the plate of ShortHorizonPreconditioner on every second point in both directions,

@@ -273,10 +273,9 @@ bool has_images(const Side& side) {
 }
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
-                  const Discretization& discretization, const std::vector<SupportMotion>& motions,
-                  const Communicator& all) {
+                  const Discretization& discretization, const std::vector<SupportMotion>& motions, PointMap map) {
   Boundary result;
-  result.map.communicator = &all;
+  result.map = std::move(map);
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
   result.cloud = std::move(cloud);
   result.sides = sides_of(outline, supports);

@@ -5,10 +5,11 @@
 /// Supports of a plate of bonds over a horizon, and which of its points see each other (theory.md, "Supports").
 namespace plate {
 
-/// `outline` in lattice units. `motions`: of supports that loads move.
+/// `outline` in lattice units. `motions`: of supports that loads move. `map`: of the ranks that share the plate,
+/// without its points.
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization, const std::vector<SupportMotion>& motions = {},
-                  const Communicator& all = single_process());
+                  PointMap map = {});
 
 /// True where the plate goes on beyond the side, as images.
 bool has_images(const Side& side);

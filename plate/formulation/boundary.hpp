@@ -8,8 +8,8 @@
 #include "geometry/lattice/families.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/elastic_supports.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/numerical_method.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/supports.hpp"
 
 namespace plate {

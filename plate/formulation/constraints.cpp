@@ -152,6 +152,14 @@ void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& we
 
 }  // namespace
 
+int Constraints::rank() const {
+  return communicator_->rank();
+}
+
+bool Constraints::distributed() const {
+  return communicator_->distributed();
+}
+
 void Constraints::share(const Communicator& communicator, std::vector<std::uint32_t> ghosts,
                         std::shared_ptr<const HaloExchange> exchange) {
   communicator_ = &communicator, copies_ = std::move(ghosts), exchange_ = std::move(exchange);

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 #include <vector>
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -47,6 +47,8 @@ public:
              std::shared_ptr<const HaloExchange> exchange);
   /// The ranks whose sums over degrees of freedom count.
   const Communicator& communicator() const { return *communicator_; }
+  int rank() const;
+  bool distributed() const;
 
   /// Returns these constraints with another halo exchange, which fetches more ghosts.
   Constraints fetching(std::shared_ptr<const HaloExchange> exchange) const;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 
 namespace plate {
 

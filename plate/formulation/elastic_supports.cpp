@@ -107,7 +107,7 @@ void ElasticSupports::add_energies(const State& state, Eigen::VectorXd& energies
 double ElasticSupports::energy(const State& state, const PointMap& map) const {
   Forces force = zero_forces(state.cols());
   add_force(state, force);
-  return ordered_sum<1>(*map.communicator, std::size_t(state.cols()), [&](std::size_t n) {
+  return ordered_sum<1>(map, std::size_t(state.cols()), [&](std::size_t n) {
     const auto k = Eigen::Index(n);
     return std::array<double, 1>{map.owns(n) ? -state.col(k).dot(force.col(k)) / 2 : 0};
   })[0];
@@ -134,7 +134,7 @@ ContactState ElasticSupports::touching(const State& state) const {
 }
 
 double ElasticSupports::contact_share(const State& state, const PointMap& map) const {
-  const auto [touching, all] = exact_sum<2>(*map.communicator, parts_.size(), [&](std::size_t i, const auto& add) {
+  const auto [touching, all] = exact_sum<2>(map, parts_.size(), [&](std::size_t i, const auto& add) {
     if (!parts_[i]->contact) return;
     parts_[i]->contact->for_each(state, [&](std::size_t point, double stiffness, bool touches) {
       if (map.owns(point)) add(0, touches ? stiffness : 0), add(1, stiffness);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/space.hpp"
 #include "plate/model/state.hpp"
 

@@ -60,6 +60,10 @@ const Communicator& Formulation::communicator() const {
   return *layout_->boundary.map.communicator;
 }
 
+bool Formulation::distributed() const {
+  return boundary().map.distributed();
+}
+
 const geometry::Cloud& Formulation::cloud() const {
   return boundary().cloud;
 }
@@ -98,7 +102,7 @@ bool Formulation::held() const {
 
 double Formulation::strain_energy(const State& state) const {
   const Eigen::VectorXd of_points = energies(state);
-  return ordered_sum<1>(communicator(), std::size_t(of_points.size()), [&](std::size_t k) {
+  return ordered_sum<1>(*this, std::size_t(of_points.size()), [&](std::size_t k) {
     return std::array<double, 1>{boundary().owns(k) ? of_points[Eigen::Index(k)] : 0};
   })[0];
 }
@@ -139,8 +143,7 @@ std::size_t Formulation::fictitious_points() const {
 }
 
 std::unique_ptr<Preconditioner> Formulation::inverse_of_shifted(double) const {
-  return held() && communicator().distributed() ? preconditioner(Preconditioning::automatic).inverse
-                                                : nullptr;  // as at rest
+  return held() && distributed() ? preconditioner(Preconditioning::automatic).inverse : nullptr;  // as at rest
 }
 
 std::unique_ptr<Preconditioner> Formulation::factor() const {

@@ -73,6 +73,8 @@ public:
   const std::vector<geometry::Tip>& tips() const;
   const Boundary& boundary() const;
   const Communicator& communicator() const;
+  /// True of a part of a plate that several ranks share.
+  bool distributed() const;
   const geometry::Cloud& cloud() const;
   /// True where this rank owns the point nearest to the place.
   bool here(const geometry::Point& x) const;

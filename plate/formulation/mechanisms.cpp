@@ -6,8 +6,8 @@
 #include <set>
 
 #include "plate/formulation/pieces.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/dense_algebra.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {
@@ -43,12 +43,12 @@ RigidParts::RigidParts(const Boundary& boundary, const geometry::Families& famil
   number();
 }
 
-std::size_t RigidParts::count_of(const Communicator& all) {
+std::size_t RigidParts::count_of_all() {
   const auto numbers = set_numbers(sets_, boundary_);
   std::set<std::int64_t> own;
   for (std::uint32_t k = 0; k < boundary_.cloud.plate_points; ++k)
     if (boundary_.owns(k) && has(k)) own.insert(numbers[k]);
-  const auto found = gathered(all, std::vector<std::int64_t>(own.begin(), own.end()));
+  const auto found = gathered(boundary_.map, std::vector<std::int64_t>(own.begin(), own.end()));
   return std::set<std::int64_t>(found.begin(), found.end()).size();
 }
 
@@ -280,10 +280,8 @@ Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& famili
   result.parts = parts.count();
   find_twists(boundary, parts, load, result);
   if (boundary.map.distributed()) {
-    const Communicator& all = *boundary.map.communicator;
-    std::array<std::int64_t, 1> twisting{std::int64_t(result.twisting)};
-    all.sum(twisting);
-    result.twisting = std::size_t(twisting[0]), result.parts = parts.count_of(all), result.twisted.reset();
+    result.twisting = std::size_t(count_of_all(boundary.map, std::int64_t(result.twisting)));
+    result.parts = parts.count_of_all(), result.twisted.reset();
     result.searched = result.parts == pieces.size() && result.twisting == 0;
     return result;
   }
@@ -338,7 +336,7 @@ std::vector<Refusal> loose(const Formulation& plate) {
                                     "; hold an edge, or pin three points not on one line"
                               : "cracks cut the plate: " + free_motion(piece)});
   if (!result.empty()) return result;
-  if (plate.communicator().distributed() && !plate.mechanisms().searched)
+  if (plate.distributed() && !plate.mechanisms().searched)
     result.push_back(
         {Subject::cracks, 0,
          "cracks and edges leave ligaments one row of points wide, which are hinges, and several processes "
@@ -353,7 +351,7 @@ std::vector<Refusal> loose(const Formulation& plate) {
 
 std::vector<Refusal> unresisted_motions(const Formulation& plate) {
   const auto& found = plate.mechanisms();
-  const bool twists = plate.communicator().distributed() && found.twisting > 0;  // tied by one process only
+  const bool twists = plate.distributed() && found.twisting > 0;  // tied by one process only
   if (!plate.held() || (found.motions == 0 && found.searched && !twists)) return {};
   return {
       {Subject::cracks, 0,
@@ -376,7 +374,7 @@ std::vector<std::string> warnings_about_mechanisms(const Formulation& plate) {
                      : fmt::format("parts that hang by bonds along one line can move in {} way{} without resistance; "
                                    "no load does so",
                                    found.motions, found.motions == 1 ? "" : "s"));
-  if (!found.searched && !plate.communicator().distributed())
+  if (!found.searched && !plate.distributed())
     warnings.push_back(
         fmt::format("bonds along one line divide the plate into {} parts, too many to look for motions "
                     "without resistance",

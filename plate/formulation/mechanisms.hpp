@@ -11,8 +11,6 @@
 
 namespace plate {
 
-class Communicator;
-
 /// The plate as parts that are rigid in themselves, and hinges between them.
 class RigidParts {
   using Point = geometry::Point;
@@ -24,7 +22,7 @@ public:
 
   std::size_t count() const { return first_.size(); }
   /// Number of rigid parts over all ranks. Collective.
-  std::size_t count_of(const Communicator& all);
+  std::size_t count_of_all();
   std::uint32_t part(std::uint32_t k) const { return part_[k]; }
   bool has(std::uint32_t k) const { return part_[k] != none; }  // not images, nor fictitious points without a bond
   std::uint32_t first(std::uint32_t part) const { return first_[part]; }

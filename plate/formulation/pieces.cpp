@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/dense_algebra.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {
@@ -32,8 +32,7 @@ private:
 
 std::vector<std::int64_t> set_numbers(DisjointSets& sets, const Boundary& boundary) {
   std::vector<std::int64_t> result(boundary.cloud.size());
-  const Communicator& all = *boundary.map.communicator;
-  const std::int64_t begin = std::int64_t(all.rank()) << 32;
+  const std::int64_t begin = std::int64_t(boundary.map.rank()) << 32;
   for (std::uint32_t k = 0; k < result.size(); ++k) result[k] = begin + sets.root(k);
   auto theirs = result;
   boundary.constraints.fetch(theirs);
@@ -43,7 +42,7 @@ std::vector<std::int64_t> set_numbers(DisjointSets& sets, const Boundary& bounda
   std::vector<std::int64_t> own;
   for (const auto& [a, b] : joined) own.insert(own.end(), {a, b});
   Same same;
-  const auto pairs = gathered(all, own);
+  const auto pairs = gathered(boundary.map, own);
   for (std::size_t i = 0; i < pairs.size(); i += 2) same.join(pairs[i], pairs[i + 1]);
   for (auto& number : result) number = same.first(number);
   return result;
@@ -74,7 +73,7 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
 
 using Grams = std::map<std::int64_t, Eigen::Matrix3d>;  // by the numbers of pieces
 
-void share(const Communicator& all, Grams& grams) {
+void share(const PointMap& map, Grams& grams) {
   struct Part {
     std::int64_t number;
     double entries[9];
@@ -85,7 +84,7 @@ void share(const Communicator& all, Grams& grams) {
     Eigen::Map<Eigen::Matrix3d>(own.back().entries) = gram;
   }
   for (auto& [number, gram] : grams) gram.setZero();
-  for (const auto& part : gathered(all, own))
+  for (const auto& part : gathered(map, own))
     grams.try_emplace(part.number, Eigen::Matrix3d::Zero()).first->second +=
         Eigen::Map<const Eigen::Matrix3d>(part.entries);
 }
@@ -108,8 +107,7 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
       result.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one;
       sizes.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one.cwiseAbs();
     });
-  if (!boundary.elastic_supports.parts().empty())
-    share(*boundary.map.communicator, result), share(*boundary.map.communicator, sizes);
+  if (!boundary.elastic_supports.parts().empty()) share(boundary.map, result), share(boundary.map, sizes);
   for (auto& [number, own] : result) {
     const double largest = own.cwiseAbs().maxCoeff();
     if (largest > rounding * sizes.at(number).maxCoeff())
@@ -129,7 +127,7 @@ using AllFound = std::map<std::int64_t, Found>;
 
 /// Collective: merges the pieces that the ranks have found. The first point of each is the lowest, of these the one to
 /// the left.
-void share(const Communicator& all, AllFound& found) {
+void share(const PointMap& map, AllFound& found) {
   struct Part {
     std::int64_t number, points;
     double position[2], origin[2];
@@ -140,7 +138,7 @@ void share(const Communicator& all, AllFound& found) {
                    std::int64_t(one.piece.points),
                    {one.piece.position.x(), one.piece.position.y()},
                    {one.origin.x(), one.origin.y()}});
-  auto parts = gathered(all, own);
+  auto parts = gathered(map, own);
   std::ranges::sort(parts, {}, [](const Part& p) { return std::tuple(p.number, p.origin[1], p.origin[0]); });
   for (auto& [number, one] : found) one.piece.points = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -160,7 +158,7 @@ AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& pie
     if (piece.points++ == 0)
       piece.position = boundary.cloud.positions[k], piece.first_point = k, origin = boundary.lattice[k];
   }
-  share(*boundary.map.communicator, found);
+  share(boundary.map, found);
   return found;
 }
 
@@ -189,7 +187,7 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
       if (counts(follower)) row -= scaled_factor(ties[i]) * at(ties[i].leader);
     if (counts(follower)) add(follower, row);
   }
-  share(*boundary.map.communicator, gram);
+  share(boundary.map, gram);
   for (auto& [number, own] : elastic(boundary, piece_of, at))
     if (found.contains(number)) gram[number] += own;
   return gram;

@@ -7,10 +7,10 @@
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/formulation/boundary.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {
@@ -93,7 +93,7 @@ void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t ho
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
     if (holds(cloud.positions[k])) hold_point(boundary, k, holder, moved), ++count;
-  const bool any = cloud.part ? boundary.map.communicator->largest_of(count > 0) > 0 : count > 0;
+  const bool any = cloud.part ? largest_of(boundary.map, count > 0) > 0 : count > 0;
   if (!any)
     throw Refused({{Subject::support_patch, boundary.holders[holder].support,
                     fmt::format("no point of the plate lies on it at spacing {:g}: refine, or give points",

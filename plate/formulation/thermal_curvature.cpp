@@ -52,7 +52,7 @@ double stored(const Formulation& plate, const Heat& heat, const State& state) {
   const auto held_flat = [&](Eigen::Index k) {
     return plate.cloud().areas[std::size_t(k)] * heat.curvature[k] * heat.curvature[k];
   };
-  return ordered_sum<1>(plate.communicator(), std::size_t(state.cols()), [&](std::size_t n) {
+  return ordered_sum<1>(plate, std::size_t(state.cols()), [&](std::size_t n) {
     const auto k = Eigen::Index(n);
     if (heat.none() || !plate.boundary().owns(n)) return std::array<double, 1>{0};
     return std::array<double, 1>{(k < heat.curvature.size() ? each * held_flat(k) : 0) -

@@ -180,7 +180,7 @@ public:
 private:
   Boundary boundary_of(const Tessellation& cells, const std::vector<double>& areas) const {
     auto result = galerkin_boundary(cells, areas, geometry::to_lattice(problem_.outline, cells.units),
-                                    problem_.supports, support_motions(problem_), all_);
+                                    problem_.supports, support_motions(problem_), {&all_});
     result.elastic_supports = elastic_supports_of(problem_, cells);
     return result;
   }
@@ -228,7 +228,7 @@ private:
     const auto count = [&](std::size_t k) { return families.families[k].size(); };
     for (std::size_t k = 0; k < families.areas.size(); ++k)
       if (count(k) > count(worst)) worst = k;
-    const double largest = all_.largest_of(double(count(worst)));
+    const double largest = largest_of(all_, double(count(worst)));
     if (largest <= most) return;
     const geometry::Point& x = cells_.positions[worst];
     double near = geometry::distance_to_boundary(problem_.outline, x);

@@ -18,6 +18,7 @@
 #include "plate/galerkin/multigrid.hpp"
 #include "plate/galerkin/results.hpp"
 #include "plate/galerkin/stiffness.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/process.hpp"
@@ -94,8 +95,7 @@ public:
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
   std::unique_ptr<Preconditioner> factor() const override {
-    if (communicator().distributed())
-      return std::make_unique<DistributedFactor>(communicator(), op_, boundary(), stiffness_matrix(op_));
+    if (distributed()) return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
   }
   std::vector<MemoryPart> memory(bool single) const override;
@@ -141,7 +141,7 @@ ChosenPreconditioner GalerkinPlate::preconditioner(Preconditioning wanted) const
 std::unique_ptr<Preconditioner> GalerkinPlate::inverse_of_shifted(double shift) const {
   if (held()) return preconditioner(Preconditioning::levels).inverse;
   constexpr std::size_t many = 100000;  // points
-  if (communicator().distributed() || points() > many) return nullptr;
+  if (distributed() || points() > many) return nullptr;
   return std::make_unique<AssembledPlate>(op_, constraints(), plus(stiffness_matrix(op_), shift * mass()));
 }
 

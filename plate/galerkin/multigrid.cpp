@@ -110,7 +110,7 @@ GalerkinMultigrid::GalerkinMultigrid(const GalerkinOperator& plate, const Constr
   }
   const auto& [cells, beside, boundary, last, to_finer, sum] = coarser_.back();
   if (boundary.map.distributed())
-    last_ = std::make_unique<DistributedFactor>(*boundary.map.communicator, last, boundary, stiffness_matrix(last));
+    last_ = std::make_unique<DistributedFactor>(last, boundary, stiffness_matrix(last));
   else
     last_ = std::make_unique<AssembledPlate>(last, boundary.constraints, stiffness_matrix(last));
 }
@@ -197,7 +197,7 @@ public:
     std::vector<char> asked(cells.positions.size(), 0);
     for (const auto& share : to_finer_.shares) asked[share.other] = 1;
     auto boundary = galerkin_boundary(cells, areas_of(cells), geometry::to_lattice(problem.outline, cells.units),
-                                      problem.supports, {}, all);
+                                      problem.supports, {}, {&all});
     boundary.elastic_supports = elastic_supports_of(problem, cells);
     part_ = part_of_cells(all, problem, here, boundary.elastic_supports, {}, asked);
     boundary_ = restricted(boundary, part_, 0);
@@ -260,7 +260,7 @@ MultigridLevel global_level(const Problem& c, geometry::Tessellation cells) {
 std::size_t points_of_all(const Boundary& boundary) {
   const auto& owned = boundary.map.owned;
   const auto here = owned.empty() ? std::ptrdiff_t(boundary.cloud.plate_points) : std::ranges::count(owned, char(1));
-  return std::size_t(sum_of_all(*boundary.map.communicator, double(here)));
+  return std::size_t(sum_of_all(boundary.map, double(here)));
 }
 
 std::vector<MultigridLevel> multigrid_levels(const Formulation& plate, const std::vector<geometry::Point>& seen) {
@@ -283,7 +283,7 @@ std::vector<MultigridLevel> multigrid_levels(const Formulation& plate, const std
                                            first ? plate.boundary().map.owned : result.back().boundary.map.owned)
                                            .level()
                                      : global_level(c, std::get<geometry::Tessellation>(std::move(*cells)));
-      if (all.largest_of(level ? 0 : 1) > 0) break;
+      if (largest_of(all, level ? 0 : 1) > 0) break;
       if (pieces(level->boundary, level->plate.families().families).size() != plate.pieces().size()) break;
       result.push_back(std::move(*level));
     } catch (const Refused&) {

@@ -229,7 +229,7 @@ Forces force_of_curvature(const GalerkinFamilies& families, const Section& secti
       if (map.owns(k)) largest = std::max(largest, psi.norm());
     }
   }
-  largest = map.communicator->largest_of(largest);
+  largest = largest_of(map, largest);
   return (result.array().abs() > rounding * largest).select(result, 0);
 }
 

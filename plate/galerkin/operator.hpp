@@ -4,7 +4,7 @@
 #include "plate/formulation/elastic_supports.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/galerkin/force_kernels.hpp"
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 #include "plate/solve/matrices/point_matrix.hpp"
 

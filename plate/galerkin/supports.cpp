@@ -131,9 +131,9 @@ void hold_places(Boundary& boundary, const SupportOffsets& moved) {
 
 Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
                            const geometry::Outline& outline, const std::vector<Support>& supports,
-                           const std::vector<SupportMotion>& motions, const Communicator& all) {
+                           const std::vector<SupportMotion>& motions, PointMap map) {
   Boundary result;
-  result.map.communicator = &all;
+  result.map = std::move(map);
   result.cloud = {cells.units, cells.positions, areas, cells.positions.size()};
   if (cells.window) result.cloud.part = cells.window->about;
   for (const auto& x : cells.positions) result.lattice.push_back(cells.units.to_lattice(x));

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/point_map.hpp"
 
 namespace plate {
 namespace {
@@ -32,6 +33,14 @@ public:
 const Communicator& single_process() {
   static const SingleProcess process;
   return process;
+}
+
+int PointMap::rank() const {
+  return communicator->rank();
+}
+
+bool PointMap::distributed() const {
+  return communicator->distributed();
 }
 
 }  // namespace plate

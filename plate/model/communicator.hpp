@@ -68,10 +68,6 @@ public:
   /// Sums, and largest values, over all ranks; collective.
   virtual void sum(std::span<std::int64_t> values) const = 0;
   virtual void largest(std::span<double> values) const = 0;
-  double largest_of(double value) const {
-    largest({&value, 1});
-    return value;
-  }
   /// `texts`: one for every rank; returns what every rank has sent here.
   virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
   virtual std::unique_ptr<HaloExchange> halo_exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
@@ -82,20 +78,6 @@ public:
   /// product throws is thrown.
   virtual DistributedEigenpairs largest_pairs(const DistributedProduct& product, std::span<const double> start,
                                               const EigenpairRequest& wanted) const = 0;
-};
-
-/// The communicator of a program that is one process: nothing is exchanged, plates are not discretised in parts.
-const Communicator& single_process();
-
-/// Map of the points that a rank knows: those that it owns; the others are ghosts. One process owns all: both lists are
-/// empty.
-struct PointMap {
-  const Communicator* communicator = &single_process();  // must outlive it
-  std::vector<char> owned = {};                          // of all points
-  std::vector<std::uint32_t> global = {};                // global numbers, where points are in no lattice
-
-  bool distributed() const { return communicator->distributed(); }
-  bool owns(std::size_t k) const { return owned.empty() || owned[k]; }
 };
 
 /// Values of one kind as what processes send each other, and back.
@@ -113,17 +95,6 @@ std::vector<T> values_of(const std::string& text) {
   std::vector<T> values(text.size() / sizeof(T));
   if (!values.empty()) std::memcpy(values.data(), text.data(), text.size());
   return values;
-}
-
-/// Gathers the values of all ranks, one rank after the other.
-template <typename T>
-std::vector<T> gathered(const Communicator& all, const std::vector<T>& own) {
-  std::vector<T> result;
-  for (const auto& text : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text_of(own)))) {
-    const auto theirs = values_of<T>(text);
-    result.insert(result.end(), theirs.begin(), theirs.end());
-  }
-  return result;
 }
 
 }  // namespace plate

@@ -147,9 +147,9 @@ void require_value(const Formula& formula, const Point& x, double usual, double 
 /// Resultants of a pressure on pieces of the plate: its force, and the moment of it, int p (x - about) dA.
 class Thrust {
 public:
-  Thrust(const Pressure& load, const Communicator& communicator)
+  Thrust(const Pressure& load, const PointMap& map)
       : load_(load),
-        communicator_(communicator),
+        map_(map),
         patch_(load.patch ? std::optional<geometry::Patch>(*load.patch) : std::nullopt),
         cubature_([&](const Point& x) {
           const double value = load.at(x);
@@ -182,7 +182,7 @@ public:
   void require_tame(std::size_t cells, const RingOf& ring_of) {
     constexpr std::size_t some = 64;
     constexpr double noise = 0.2;
-    if (!load_.formula.given() || communicator_.distributed()) return;
+    if (!load_.formula.given() || map_.distributed()) return;
     const std::size_t stride = std::max<std::size_t>(1, cells / some);
     Integral all;
     for (std::size_t k = stride / 2; k < cells; k += stride) {
@@ -196,11 +196,8 @@ public:
   void require_known() const {
     constexpr double known = 0.01;
     if (!load_.formula.given()) return;
-    std::array<double, 2> all{all_.error, all_.size};
-    if (communicator_.distributed())
-      all =
-          exact_sum<2>(communicator_, 1, [&](std::size_t, const auto& add) { add(0, all_.error), add(1, all_.size); });
-    const auto [error, size] = all;
+    const auto [error, size] =
+        sum_of_items<2>(map_, 1, [&](std::size_t, const auto& add) { add(0, all_.error), add(1, all_.size); });
     if (error > known * size) throw FormulaError(load_.formula, error / size);
   }
 
@@ -240,7 +237,7 @@ private:
   }
 
   const Pressure& load_;
-  const Communicator& communicator_;
+  const PointMap& map_;
   std::optional<geometry::Patch> patch_;
   Point low_{INFINITY, INFINITY}, high_{-INFINITY, -INFINITY};  // of the patch
   Cubature cubature_;
@@ -268,7 +265,7 @@ PointValues moved_force(double force, const Point& lever) {
 }
 
 void add_pressure(const Pressure& load, const geometry::Cloud& cloud, const PointMap& map, Forces& forces) {
-  Thrust thrust(load, *map.communicator);
+  Thrust thrust(load, map);
   const double side = cloud.units.spacing, half = side / 2;
   const auto cell = [&](std::size_t k) -> Ring {
     const Point& x = cloud.positions[k];
@@ -284,7 +281,7 @@ void add_pressure(const Pressure& load, const geometry::Cloud& cloud, const Poin
 }
 
 void add_pressure(const Pressure& load, const geometry::Tessellation& cells, const PointMap& map, Forces& forces) {
-  Thrust thrust(load, *map.communicator);
+  Thrust thrust(load, map);
   const auto add = [&](const auto& cell) { add_cell(thrust, cell, cells.positions, map.owns(cell[0]), forces); };
   thrust.require_tame(cells.squares.size(), [&](std::size_t i) {
     Ring ring;

@@ -6,8 +6,8 @@
 #include "geometry/lattice/cloud.hpp"
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/outline.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/loads.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {

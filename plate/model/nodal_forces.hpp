@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/history.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 
 namespace geometry {

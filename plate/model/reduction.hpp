@@ -2,21 +2,88 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 #include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 
 namespace plate {
+
+/// The communicator of what ranks share: a map of points, constraints, a plate. Reductions take any of
+/// them.
+inline const Communicator& communicator_of(const Communicator& all) {
+  return all;
+}
+template <typename Shared>
+requires requires(const Shared& shared) {
+  { *shared.communicator } -> std::same_as<const Communicator&>;
+}
+const Communicator& communicator_of(const Shared& shared) {
+  return *shared.communicator;
+}
+template <typename Shared>
+requires requires(const Shared& shared) {
+  { shared.communicator() } -> std::same_as<const Communicator&>;
+}
+const Communicator& communicator_of(const Shared& shared) {
+  return shared.communicator();
+}
+
+/// Returns the largest value of all ranks that share a plate, its constraints or a map of its points; collective, as
+/// all reductions here.
+template <typename Shared>
+double largest_of(const Shared& shared, double value) {
+  communicator_of(shared).largest({&value, 1});
+  return value;
+}
+
+/// Returns the sums of whole numbers of every rank.
+template <typename Shared, std::size_t N>
+std::array<std::int64_t, N> counts_of_all(const Shared& shared, std::array<std::int64_t, N> own) {
+  communicator_of(shared).sum(own);
+  return own;
+}
+template <typename Shared>
+std::int64_t count_of_all(const Shared& shared, std::int64_t own) {
+  return counts_of_all(shared, std::array{own})[0];
+}
+
+/// Waits until all ranks are here.
+template <typename Shared>
+void wait_for_all(const Shared& shared) {
+  count_of_all(shared, 1);
+}
+
+/// Returns the text of every rank.
+template <typename Shared>
+std::vector<std::string> texts_of_all(const Shared& shared, const std::string& own) {
+  const Communicator& all = communicator_of(shared);
+  return all.exchanged(std::vector<std::string>(std::size_t(all.size()), own));
+}
+
+/// Gathers the values of all ranks, one rank after the other.
+template <typename Shared, typename T>
+std::vector<T> gathered(const Shared& shared, const std::vector<T>& own) {
+  std::vector<T> result;
+  for (const auto& text : texts_of_all(shared, text_of(own))) {
+    const auto theirs = values_of<T>(text);
+    result.insert(result.end(), theirs.begin(), theirs.end());
+  }
+  return result;
+}
 
 /// Sums of several quantities over all processes: the same bits however they are shared out, and with any number of
 /// threads. Terms are rounded to multiples of 2^-60 of the largest, kept in two whole numbers, which add up exactly (n
 /// terms err by n 2^-61 of the largest at most; n below 2^33). for_each(block, add) calls add(index of the sum, term)
 /// for every term of a block, twice, from several threads. Not a number where a term is none, or infinite.
-template <std::size_t N, typename ForEach>
-std::array<double, N> exact_sum(const Communicator& all, std::size_t blocks, const ForEach& for_each) {
+template <std::size_t N, typename Shared, typename ForEach>
+std::array<double, N> exact_sum(const Shared& shared, std::size_t blocks, const ForEach& for_each) {
+  const Communicator& all = communicator_of(shared);
   constexpr double infinity = std::numeric_limits<double>::infinity(), fine = 1 << 30;
   std::array<double, N> largest{};
 #pragma omp parallel
@@ -64,8 +131,9 @@ std::array<double, N> exact_sum(const Communicator& all, std::size_t blocks, con
 /// Sums of several quantities over indices 0 ... size - 1, in parallel; the same bits for any number of threads,
 /// because blocks of fixed size are added in a fixed order, eight sums side by side. Terms must not depend on each
 /// other. term(i) -> std::array<double, N>. Where the plate is distributed, over all of theirs, and exact.
-template <std::size_t N, typename Term>
-std::array<double, N> ordered_sum(const Communicator& all, std::size_t size, const Term& term) {
+template <std::size_t N, typename Shared, typename Term>
+std::array<double, N> ordered_sum(const Shared& shared, std::size_t size, const Term& term) {
+  const Communicator& all = communicator_of(shared);
   constexpr std::size_t block = 4096, lanes = 8;
   const std::size_t blocks = (size + block - 1) / block;
   if (all.distributed())
@@ -100,10 +168,21 @@ std::array<double, N> ordered_sum(const Communicator& all, std::size_t size, con
   return total;
 }
 
+/// Sums of several quantities over a few items, added one after the other: for_each(item, add) calls add(index of the
+/// sum, term). Where the plate is distributed, over those of all ranks, and exact.
+template <std::size_t N, typename Shared, typename ForEach>
+std::array<double, N> sum_of_items(const Shared& shared, std::size_t items, const ForEach& for_each) {
+  if (communicator_of(shared).distributed()) return exact_sum<N>(shared, items, for_each);
+  std::array<double, N> result{};
+  for (std::size_t i = 0; i < items; ++i) for_each(i, [&](std::size_t n, double term) { result[n] += term; });
+  return result;
+}
+
 /// The sum of one number of every rank that shares the plate.
-inline double sum_of_all(const Communicator& all, double value) {
-  return all.distributed() ? ordered_sum<1>(all, 1, [&](std::size_t) { return std::array<double, 1>{value}; })[0]
-                           : value;
+template <typename Shared>
+double sum_of_all(const Shared& shared, double value) {
+  if (!communicator_of(shared).distributed()) return value;
+  return exact_sum<1>(shared, 1, [&](std::size_t, const auto& add) { add(0, value); })[0];
 }
 
 }  // namespace plate

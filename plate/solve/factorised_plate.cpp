@@ -4,9 +4,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {
@@ -68,11 +68,10 @@ namespace {
 
 /// Global numbers of the points, rank by rank; -1 where their owner is not asked. `halo`: fetches those of ghosts.
 template <typename Halo>
-std::vector<std::int64_t> numbers(const Communicator& all, std::size_t points, const std::vector<std::uint32_t>& own,
-                                  const Halo& halo) {
-  const auto counts = gathered(all, std::vector<std::int64_t>{std::int64_t(own.size())});
-  auto next = std::accumulate(counts.begin(), counts.begin() + all.rank(), std::int64_t(0));
-  std::vector<std::int64_t> result(points, -1);
+std::vector<std::int64_t> numbers(const Boundary& boundary, const std::vector<std::uint32_t>& own, const Halo& halo) {
+  const auto counts = gathered(boundary.map, std::vector<std::int64_t>{std::int64_t(own.size())});
+  auto next = std::accumulate(counts.begin(), counts.begin() + boundary.map.rank(), std::int64_t(0));
+  std::vector<std::int64_t> result(boundary.cloud.size(), -1);
   for (const auto k : own) result[k] = next++;
   halo.fetch(result);
   return result;
@@ -124,20 +123,22 @@ DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const 
 
 }  // namespace
 
-DistributedFactor::DistributedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary,
-                                     const PointMatrix& stiffness, const HaloExchange* seen)
+DistributedFactor::DistributedFactor(const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
+                                     const HaloExchange* seen)
     : boundary_(boundary) {
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k)
     if (boundary.owns(k)) own_.push_back(k);
-  const auto points = boundary.cloud.size();
-  const auto number = seen ? numbers(all, points, own_, *seen) : numbers(all, points, own_, boundary.constraints);
+  const auto number = seen ? numbers(boundary, own_, *seen) : numbers(boundary, own_, boundary.constraints);
   State free = folded_diagonal(plate, boundary.constraints);
   if (seen)
     seen->fetch(std::span(free.data(), std::size_t(free.size())));
   else
     boundary.constraints.fetch(free);
-  inverse_ = all.inverse(rows(folded(stiffness, boundary.constraints), boundary, own_, number, free));
+  const auto matrix = folded(stiffness, boundary.constraints);
+  inverse_ = boundary.map.communicator->inverse(rows(matrix, boundary, own_, number, free));
 }
+
+DistributedFactor::~DistributedFactor() = default;
 
 void DistributedFactor::apply(const Forces& residual, State& result) const {
   std::vector<double> values;

@@ -4,11 +4,12 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/solve/matrices/factor.hpp"
 #include "plate/solve/matrices/point_matrix.hpp"
 
 namespace plate {
+
+class DistributedInverse;
 
 /// The plate itself, assembled and factorised: conjugate gradients with it end after one or two iterations.
 class AssembledPlate : public Preconditioner {
@@ -38,14 +39,14 @@ Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);
 /// The diagonal of P^T K P, zero at held degrees of freedom.
 Forces folded_diagonal(const Operator& plate, const Constraints& constraints);
 
-/// The inverse of a distributed plate, as the libraries behind Communicator::inverse() find it: exact as far as they
-/// factorise.
+/// The inverse of a distributed plate, as the libraries of several processes find it: exact as far as they factorise.
 class DistributedFactor : public Preconditioner {
 public:
   /// `stiffness`: right in the rows and columns of owned points. `seen`: of all points that these are coupled to, where
   /// that are more than the ghosts of `boundary`. `plate`, `boundary` must outlive this.
-  DistributedFactor(const Communicator& all, const Operator& plate, const Boundary& boundary,
-                    const PointMatrix& stiffness, const HaloExchange* seen = nullptr);
+  DistributedFactor(const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
+                    const HaloExchange* seen = nullptr);
+  ~DistributedFactor() override;
 
   void apply(const Forces& residual, State& result) const override;
   std::size_t bytes() const override { return 0; }  // the libraries do not say

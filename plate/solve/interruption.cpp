@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/model/reduction.hpp"
 
 namespace plate {
@@ -61,8 +62,12 @@ bool stop_is_asked() noexcept {
   return asked != 0;
 }
 
-void stop_if_asked(const char* where, const Communicator& all) {
-  if (all.largest_of(stop_is_asked()) > 0) throw Interrupted(std::string("asked to stop in ") + where);
+void stop_if_asked(const char* where, const Constraints& constraints) {
+  if (largest_of(constraints, stop_is_asked()) > 0) throw Interrupted(std::string("asked to stop in ") + where);
+}
+
+void stop_if_asked(const char* where) {
+  stop_if_asked(where, Constraints());
 }
 
 }  // namespace plate

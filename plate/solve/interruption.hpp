@@ -1,9 +1,9 @@
 #pragma once
 #include <stdexcept>
 
-#include "plate/model/communicator.hpp"
-
 namespace plate {
+
+class Constraints;
 
 /// The run was asked to end before it was done. The message says where it was.
 class Interrupted : public std::runtime_error {
@@ -23,7 +23,9 @@ public:
 /// True where a signal has asked for the end.
 bool stop_is_asked() noexcept;
 
-/// Throws Interrupted where a signal has asked any rank for the end; collective. `where` goes into the message.
-void stop_if_asked(const char* where, const Communicator& all);
+/// Throws Interrupted where a signal has asked any rank for the end, of those that share a plate with these
+/// constraints; collective. `where` goes into the message.
+void stop_if_asked(const char* where, const Constraints& constraints);
+void stop_if_asked(const char* where);  // this process alone
 
 }  // namespace plate

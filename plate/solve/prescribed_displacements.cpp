@@ -27,7 +27,7 @@ double norm(const Formulation& plate, const Forces& forces, const Forces& diagon
     const double f = forces.data()[i], d = diagonal.data()[i];
     return std::array<double, 1>{d > 0 && owns(plate, i) ? f * f / d : 0};
   };
-  return std::sqrt(ordered_sum<1>(plate.communicator(), std::size_t(forces.size()), of_dof)[0]);
+  return std::sqrt(ordered_sum<1>(plate, std::size_t(forces.size()), of_dof)[0]);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ bool cancel(const Formulation& plate, const std::vector<Forces>& loads) {
   if (loads.size() < 2) return false;
   const auto size = [&](Forces force) {
     plate.constraints().fold(force);
-    return std::sqrt(ordered_sum<1>(plate.communicator(), std::size_t(force.size()), [&](std::size_t i) {
+    return std::sqrt(ordered_sum<1>(plate, std::size_t(force.size()), [&](std::size_t i) {
       return std::array<double, 1>{force.data()[i] * force.data()[i]};
     })[0]);
   };
@@ -121,16 +121,15 @@ private:
 /// The sum of `bodies` next to `lift`, rotations weighted by `size`.
 Eigen::Vector3d nearest_sum(const Formulation& plate, const std::array<State, 3>& bodies, const State& lift,
                             double size) {
-  const auto terms =
-      ordered_sum<9>(plate.communicator(), std::size_t(lift.cols()), [&](std::size_t i) -> std::array<double, 9> {
-        if (!plate.boundary().owns(i)) return {};
-        const auto k = Eigen::Index(i);
-        const auto at = [&](const State& state) {
-          return PointValues(state(0, k), size * state(1, k), size * state(2, k));
-        };
-        const auto a = at(bodies[0]), b = at(bodies[1]), c = at(bodies[2]), l = at(lift);
-        return {a.dot(a), a.dot(b), a.dot(c), b.dot(b), b.dot(c), c.dot(c), a.dot(l), b.dot(l), c.dot(l)};
-      });
+  const auto terms = ordered_sum<9>(plate, std::size_t(lift.cols()), [&](std::size_t i) -> std::array<double, 9> {
+    if (!plate.boundary().owns(i)) return {};
+    const auto k = Eigen::Index(i);
+    const auto at = [&](const State& state) {
+      return PointValues(state(0, k), size * state(1, k), size * state(2, k));
+    };
+    const auto a = at(bodies[0]), b = at(bodies[1]), c = at(bodies[2]), l = at(lift);
+    return {a.dot(a), a.dot(b), a.dot(c), b.dot(b), b.dot(c), c.dot(c), a.dot(l), b.dot(l), c.dot(l)};
+  });
   Eigen::Matrix3d products;
   products << terms[0], terms[1], terms[2], terms[1], terms[3], terms[4], terms[2], terms[4], terms[5];
   return products.completeOrthogonalDecomposition().solve(Eigen::Vector3d(terms[6], terms[7], terms[8]));
@@ -157,8 +156,8 @@ LiftParts split_lift(const Formulation& plate, const State& lift) {
     shares += more;
   }
   const auto largest = [&](const State& state) {
-    return plate.communicator().largest_of(
-        std::max(state.row(0).cwiseAbs().maxCoeff(), motions.size() * state.bottomRows(2).cwiseAbs().maxCoeff()));
+    return largest_of(plate, std::max(state.row(0).cwiseAbs().maxCoeff(),
+                                      motions.size() * state.bottomRows(2).cwiseAbs().maxCoeff()));
   };
   if (largest(result.rest) <= rounding * largest(lift)) result.rest.setZero();
   result.rigid = motions.sum(shares);
@@ -198,7 +197,7 @@ double PrescribedDisplacements::work(const State& state) const {
   const auto of_dof = [&](std::size_t i) {
     return std::array<double, 1>{owns(plate_, i) ? whole.data()[i] * lift_.data()[i] : 0};
   };
-  return -ordered_sum<1>(plate_.communicator(), std::size_t(whole.size()), of_dof)[0] / 2;
+  return -ordered_sum<1>(plate_, std::size_t(whole.size()), of_dof)[0] / 2;
 }
 
 }  // namespace plate

@@ -35,23 +35,23 @@ Forces inverse_fictitious_mass(const Operator& plate, const Constraints& constra
   return inverse(diagonal) * (step * step);
 }
 
-double weighted_norm(const Communicator& all, const Forces& forces, const Forces& weight) {
-  const auto [sum] = ordered_sum<1>(all, static_cast<std::size_t>(forces.size()), [&](std::size_t i) {
+double weighted_norm(const Constraints& constraints, const Forces& forces, const Forces& weight) {
+  const auto [sum] = ordered_sum<1>(constraints, static_cast<std::size_t>(forces.size()), [&](std::size_t i) {
     return std::array<double, 1>{forces.data()[i] * forces.data()[i] * weight.data()[i]};
   });
   return std::sqrt(sum);
 }
 
 /// Scalar product over all ranks.
-double dot(const Communicator& all, const State& a, const Forces& b) {
-  return ordered_sum<1>(all, std::size_t(a.size()),
+double dot(const Constraints& constraints, const State& a, const Forces& b) {
+  return ordered_sum<1>(constraints, std::size_t(a.size()),
                         [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
 }
 
 /// Checks before an iteration: throws where its residual is not finite, or a signal asks for the end.
-void may_go_on(const Communicator& all, double residual, const char* method, std::size_t iteration) {
+void may_go_on(const Constraints& constraints, double residual, const char* method, std::size_t iteration) {
   constexpr std::size_t seldom = 20;  // ranks of a distributed plate stop together, and ask each other
-  if (!all.distributed() || iteration % seldom == 0) stop_if_asked(method, all);
+  if (!constraints.distributed() || iteration % seldom == 0) stop_if_asked(method, constraints);
   if (!std::isfinite(residual))
     throw NumericalError(std::string(method) + ": the residual is not finite at iteration " +
                          std::to_string(iteration));
@@ -76,12 +76,11 @@ template <typename Product>
 StaticSolution iterate(const Product& minus_k, const Constraints& constraints, const Forces& weight,
                        const Preconditioner* preconditioner, const Forces& load, const StaticOptions& options,
                        const State* start = nullptr) {
-  const Communicator& all = constraints.communicator();
   const auto size = static_cast<std::size_t>(load.size());
   Forces residual = load;
   constraints.fold(residual);
   residual = residual.array() * (weight.array() > 0).cast<double>();
-  const double load_norm = weighted_norm(all, residual, weight);
+  const double load_norm = weighted_norm(constraints, residual, weight);
 
   StaticSolution result;
   result.state = zero_state(load.cols());
@@ -89,13 +88,14 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
   State correction, direction = zero_state(load.cols());
   Forces product;
   double norm = load_norm, rho = 0;
-  if (start) leave(minus_k, result.state = *start, weight, residual), norm = weighted_norm(all, residual, weight);
+  if (start)
+    leave(minus_k, result.state = *start, weight, residual), norm = weighted_norm(constraints, residual, weight);
   double *u = result.state.data(), *r = residual.data(), *p = direction.data();
   const double* d = weight.data();
 
   for (result.iterations = 0;; ++result.iterations) {
     result.residual = norm / load_norm;
-    may_go_on(all, result.residual, "conjugate gradients", result.iterations);
+    may_go_on(constraints, result.residual, "conjugate gradients", result.iterations);
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;
@@ -103,7 +103,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
     double rho_next = norm * norm;
     if (preconditioner) {
       preconditioner->apply(residual, correction);
-      rho_next = dot(all, correction, residual);
+      rho_next = dot(constraints, correction, residual);
     }
     const double beta = rho > 0 ? rho_next / rho : 0;
     rho = rho_next;
@@ -113,7 +113,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
 
     minus_k(direction, product);
     const double* minus_kp = product.data();
-    const auto [curvature] = ordered_sum<1>(all, size, [&](std::size_t i) {
+    const auto [curvature] = ordered_sum<1>(constraints, size, [&](std::size_t i) {
       return std::array<double, 1>{-p[i] * minus_kp[i]};  // zero at held degrees of freedom
     });
     if (!(curvature > 0))
@@ -126,7 +126,7 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
       u[i] += moved * p[i];
       r[i] += moved * minus_kp[i];
     }
-    norm = weighted_norm(all, residual, weight);
+    norm = weighted_norm(constraints, residual, weight);
   }
   constraints.impose(result.state);
   result.stop_reason = reason(result.converged, options);
@@ -142,7 +142,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
   const Forces inverse_mass = inverse_fictitious_mass(plate, constraints, diagonal, options.start_of_bound);
   Forces external = load;
   constraints.fold(external);
-  const double load_norm = weighted_norm(constraints.communicator(), external, weight);
+  const double load_norm = weighted_norm(constraints, external, weight);
 
   StaticSolution result;
   result.state = zero_state(load.cols());
@@ -158,7 +158,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
     constraints.fold(force);
     const double* f = force.data();
     // squared residual; u K u and u u of Dai 19 with the fictitious mass, so that w and rotations may be added
-    const auto [residual, stiffness, mass] = ordered_sum<3>(constraints.communicator(), size, [&](std::size_t i) {
+    const auto [residual, stiffness, mass] = ordered_sum<3>(constraints, size, [&](std::size_t i) {
       const double total = f[i] + external.data()[i];
       const double inverse = inverse_mass.data()[i];
       if (inverse == 0) return std::array<double, 3>{0, 0, 0};
@@ -167,7 +167,7 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
       return std::array<double, 3>{total * total * weight.data()[i], square * local, square};
     });
     result.residual = std::sqrt(residual) / load_norm;
-    may_go_on(constraints.communicator(), result.residual, "adaptive dynamic relaxation", result.iterations);
+    may_go_on(constraints, result.residual, "adaptive dynamic relaxation", result.iterations);
     if (options.progress && result.iterations % report_every == 0) options.progress(result.iterations, result.residual);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == options.max_iterations) break;
@@ -219,15 +219,15 @@ StaticSolution refined(const Operator& plate, const Constraints& constraints, co
   Forces external = load;
   constraints.fold(external);
   external = external.array() * (weight.array() > 0).cast<double>();
-  const double load_norm = weighted_norm(constraints.communicator(), external, weight);
+  const double load_norm = weighted_norm(constraints, external, weight);
   StaticSolution result;
   result.state = zero_state(load.cols());
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
   Forces residual = external, internal;
   State correction;
   for (;; ++result.iterations) {
-    result.residual = weighted_norm(constraints.communicator(), residual, weight) / load_norm;
-    may_go_on(constraints.communicator(), result.residual, "the factor of the plate", result.iterations);
+    result.residual = weighted_norm(constraints, residual, weight) / load_norm;
+    may_go_on(constraints, result.residual, "the factor of the plate", result.iterations);
     result.converged = result.residual <= options.tolerance;
     if (result.converged || result.iterations == std::min(most, options.max_iterations)) break;
     inverse_of_plate.apply(residual, correction);
@@ -254,7 +254,7 @@ StaticResult static_solution(const Formulation& plate, const Analysis& analysis,
 State start_of(const Formulation& plate, const Analysis& analysis) {
   const auto load = plate.first_load();
   const auto lift = first_lift(plate);
-  if (plate.communicator().largest_of(load.isZero(0) && lift.isZero(0) ? 0 : 1) == 0) return {};
+  if (largest_of(plate, load.isZero(0) && lift.isZero(0) ? 0 : 1) == 0) return {};
   const auto result = solve_static(plate, load, analysis.static_method(), analysis.preconditioner,
                                    {StaticOptions{}.tolerance, analysis.max_iterations, {}}, lift);
   if (!result.solution.converged)
@@ -297,7 +297,7 @@ StaticResult StaticSolver::solved(const Operator& plate, const Forces& load, con
   }
   Forces folded = load;
   constraints.fold(folded);
-  const auto near = start ? std::optional(*start) : nearest(states_, forces_, folded, constraints.communicator());
+  const auto near = start ? std::optional(*start) : nearest(states_, forces_, folded, constraints);
   StaticResult result{conjugate_gradients(plate, constraints, load, options, inverse_.get(), near ? &*near : nullptr),
                       "cg", name_, bytes};
   if (again && states_.size() < most) {
@@ -326,12 +326,12 @@ bool same_everywhere(const Formulation& plate, const ContactState& one, const Co
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t p = 0; p < one[i].size(); ++p)
       if (one[i][p] != other[i][p] && plate.boundary().owns(parts[i]->contact->point(p, plate.points()))) differ = true;
-  return plate.communicator().largest_of(differ) == 0;
+  return largest_of(plate, differ) == 0;
 }
 
 /// Potential of a load that is not folded.
 double potential(const Formulation& plate, const Forces& load, const State& state) {
-  return -ordered_sum<1>(plate.communicator(), plate.points(), [&](std::size_t k) {
+  return -ordered_sum<1>(plate, plate.points(), [&](std::size_t k) {
     const auto i = Eigen::Index(k);
     return std::array<double, 1>{plate.boundary().owns(k) ? load.col(i).dot(state.col(i)) : 0};
   })[0];
@@ -409,15 +409,15 @@ StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& o
 }
 
 std::optional<State> nearest(const std::vector<State>& states, const std::vector<Forces>& forces, const Forces& load,
-                             const Communicator& all) {
+                             const Constraints& constraints) {
   if (states.empty()) return std::nullopt;
   const auto size = Eigen::Index(states.size());
   Eigen::MatrixXd energies(size, size);
   Eigen::VectorXd work(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto& state = states[std::size_t(i)];
-    work[i] = dot(all, state, load);
-    for (Eigen::Index j = 0; j < size; ++j) energies(i, j) = -dot(all, state, forces[std::size_t(j)]);
+    work[i] = dot(constraints, state, load);
+    for (Eigen::Index j = 0; j < size; ++j) energies(i, j) = -dot(constraints, state, forces[std::size_t(j)]);
   }
   const Eigen::MatrixXd symmetric = (energies + energies.transpose()) / 2;
   const Eigen::VectorXd share = symmetric.completeOrthogonalDecomposition().solve(work);

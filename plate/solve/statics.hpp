@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "plate/formulation/operator.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/numerical_method.hpp"
 
 namespace plate {
@@ -117,6 +116,6 @@ private:
 /// The sum of states whose energy is least under a load; nothing without states. `forces`: internal, of each. Forces
 /// and load are folded where points follow others.
 std::optional<State> nearest(const std::vector<State>& states, const std::vector<Forces>& forces, const Forces& load,
-                             const Communicator& all = single_process());
+                             const Constraints& constraints);
 
 }  // namespace plate

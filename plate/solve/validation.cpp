@@ -9,7 +9,6 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/pieces.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
@@ -21,7 +20,7 @@ namespace {
 
 void check_modes(const Formulation& plate, const Analysis& analysis, Validation& result) {
   if (analysis.kind != Analysis::Kind::frequencies) return;
-  const auto most = std::size_t(sum_of_all(plate.communicator(), double((plate.mass().array() > 0).count()))) / 4;
+  const auto most = std::size_t(sum_of_all(plate, double((plate.mass().array() > 0).count()))) / 4;
   if (analysis.modes > most)
     result.refusals.push_back({Subject::modes, 0,
                                fmt::format("{} given, must be at most {}, a quarter of the plate's degrees of freedom",
@@ -97,9 +96,7 @@ std::vector<Refusal> errors_in_lengths(const Problem& problem, const Analysis& a
   return found;
 }
 
-namespace {
-
-void require_own(const State& state, const std::string& when) {
+void require_finite(const State& state, const std::string& when) {
   constexpr std::array names{"w", "theta_x", "theta_y"};
   const Eigen::Index points = state.cols();
   Eigen::Index first = points;
@@ -113,17 +110,15 @@ void require_own(const State& state, const std::string& when) {
                        std::size_t(first));
 }
 
-}  // namespace
-
-void require_finite(const State& state, const std::string& when, const Communicator& all) {
-  if (!all.distributed()) return require_own(state, when);
+void require_finite(const State& state, const std::string& when, const Constraints& constraints) {
+  if (!constraints.distributed()) return require_finite(state, when);
   std::string wrong;
   try {
-    require_own(state, when);
+    require_finite(state, when);
   } catch (const NumericalError& error) {
-    wrong = "process " + std::to_string(all.rank()) + ": " + error.what();
+    wrong = "process " + std::to_string(constraints.rank()) + ": " + error.what();
   }
-  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), wrong)))
+  for (const auto& one : texts_of_all(constraints, wrong))
     if (!one.empty()) throw NumericalError(one);
 }
 

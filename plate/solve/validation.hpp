@@ -2,12 +2,12 @@
 #include <string>
 #include <vector>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
 
+class Constraints;
 class Formulation;
 struct Analysis;
 struct Problem;
@@ -26,8 +26,9 @@ Validation validate(const Formulation& plate, const Analysis& analysis);
 /// forces in single precision in which so thin a plate would lose its shear strains.
 std::vector<Refusal> errors_in_lengths(const Problem& problem, const Analysis& analysis);
 
-/// Throws NumericalError of the first point with a displacement or rotation that is not finite, on every rank where one
-/// has such a point; collective.
-void require_finite(const State& state, const std::string& when, const Communicator& all);
+/// Throws NumericalError of the first point with a displacement or rotation that is not finite.
+void require_finite(const State& state, const std::string& when);
+/// Throws it on every rank where one has such a point; collective.
+void require_finite(const State& state, const std::string& when, const Constraints& constraints);
 
 }  // namespace plate

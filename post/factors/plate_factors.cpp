@@ -11,9 +11,9 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/tip_integrals.hpp"
 
@@ -152,14 +152,14 @@ namespace {
 
 /// Every process tells the others what works at its tips: '+', or '-' where none does, or nothing of a tip that is not
 /// its own, then a line for every method that is left out; tips end with a page break.
-void tell(const plate::Communicator& all, std::vector<TipMethods>& methods) {
+void tell(const plate::Formulation& plate, std::vector<TipMethods>& methods) {
   std::string own;
   for (const auto& tip : methods) {
     if (tip.here()) own += tip.works() ? '+' : '-';
     for (const auto& line : tip.left_out()) own += line + '\n';
     own += '\f';
   }
-  for (const auto& theirs : all.exchanged(std::vector<std::string>(std::size_t(all.size()), own))) {
+  for (const auto& theirs : plate::texts_of_all(plate, own)) {
     std::istringstream tips(theirs);
     std::string tip, line;
     for (auto& one : methods) {
@@ -199,7 +199,7 @@ std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifO
     place.narrowest = narrowest, place.known_error = known;
     result.emplace_back(view, place, options);
   }
-  tell(plate.communicator(), result);
+  tell(plate, result);
   return result;
 }
 
@@ -240,7 +240,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings,
                         const plate::Heat* heat) {
   plate::Forces force;
-  const bool together = plate.communicator().distributed();  // no process can find forces alone
+  const bool together = plate.distributed();  // no process can find forces alone
   if (together || std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
     plate.internal_force(state, force), plate.boundary().elastic_supports.take_force(state, force);
   const bool heated = heat && !heat->none();
@@ -260,7 +260,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
       result.push_back(std::move(srif));
     }
   const double thickness = plate.section().thickness;
-  add_errors_of_other_tips(result, plate.communicator().largest_of(largest_of_tips(result, thickness)), thickness);
+  add_errors_of_other_tips(result, plate::largest_of(plate, largest_of_tips(result, thickness)), thickness);
   std::vector<double> largest;
   mark_lost(result, thickness, largest);
   return result;

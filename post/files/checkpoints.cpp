@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "plate/model/reduction.hpp"
 #include "post/files/atomic_file.hpp"
 
 namespace post {
@@ -214,11 +215,6 @@ std::string first_of(const std::vector<std::string>& texts) {
   return found == texts.end() ? "" : *found;
 }
 
-/// Gathers the text `own` of every rank.
-std::vector<std::string> told(const plate::Communicator& all, const std::string& own) {
-  return all.exchanged(std::vector<std::string>(std::size_t(all.size()), own));
-}
-
 fs::path part(const fs::path& folder, std::size_t turn, std::size_t rank) {
   return folder / fmt::format("checkpoint.{}.{}", turn, rank);
 }
@@ -233,6 +229,10 @@ std::string error_in_parts(const plate::Communicator& all, const fs::path& folde
 
 }  // namespace
 
+bool Checkpoints::agreed(bool here) const {
+  return plate::largest_of(*all_, here) > 0;
+}
+
 void Checkpoints::write(const std::string& memory, const CellValues& own) {
   const auto together = [&](const auto& write) {
     std::string result, problem;
@@ -241,11 +241,11 @@ void Checkpoints::write(const std::string& memory, const CellValues& own) {
     } catch (const fs::filesystem_error& error) {
       problem = error.what();
     }
-    if (problem = first_of(told(*all_, problem)); !problem.empty()) throw CheckpointNotWritten(problem);
+    if (problem = first_of(plate::texts_of_all(*all_, problem)); !problem.empty()) throw CheckpointNotWritten(problem);
     return result;
   };
   const auto path = part(folder_, turn_, std::size_t(all_->rank()));
-  const auto checksums = told(*all_, together([&] { return write_cells(path, own); }));
+  const auto checksums = plate::texts_of_all(*all_, together([&] { return write_cells(path, own); }));
   together([&] {
     const auto head = fmt::format("{}{}\n{} {} {}\n", magic, of_, turn_, checksums.size(), fmt::join(checksums, " "));
     if (all_->rank() == 0) write_main(folder_, head, memory);
@@ -259,7 +259,9 @@ std::optional<Checkpoints::Found> Checkpoints::read(std::vector<std::string>& re
     std::string problem;
     const auto main = read_main(folder_ / name, of_, problem);
     if (main) problem = error_in_parts(*all_, folder_, *main);
-    const auto found = told(*all_, main ? "+" + problem : problem.empty() ? "" : "-" + problem);  // nothing: none
+    const auto found = plate::texts_of_all(*all_, main              ? "+" + problem
+                                                  : problem.empty() ? ""
+                                                                    : "-" + problem);  // nothing: none
     const auto missing = std::ranges::count(found, std::string());
     const auto wrong = std::ranges::find_if(found, [](const std::string& one) { return one.size() > 1; });
     if (wrong != found.end())

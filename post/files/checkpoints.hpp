@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "geometry/lattice/cloud.hpp"
-#include "plate/model/communicator.hpp"
+
+namespace plate {
+class Communicator;
+}
 
 namespace post {
 
@@ -48,7 +51,8 @@ public:
   /// `all` must outlive this. `of`: one line that says which run of which program may go on from it.
   Checkpoints(const plate::Communicator& all, std::filesystem::path folder, std::string of)
       : all_(&all), folder_(std::move(folder)), of_(std::move(of)) {}
-  const plate::Communicator& communicator() const { return *all_; }
+  /// Collective: true where `here` is true on any rank.
+  bool agreed(bool here) const;
 
   /// Throws CheckpointNotWritten in all processes where one cannot write; the last one stays then.
   void write(const std::string& memory, const CellValues& own);

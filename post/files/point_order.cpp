@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "plate/model/reduction.hpp"
+
 namespace post {
 namespace {
 
@@ -35,9 +37,7 @@ PointOrder::PointOrder(const plate::Communicator& all, const std::vector<std::ui
     if (k == 0 || numbers[k] != numbers[k - 1] + 1) own_.push_back({numbers[k], k, 0});
     ++own_.back().points;
   }
-  std::array<std::int64_t, 1> points{std::int64_t(numbers.size())};
-  all.sum(points);
-  points_ = std::size_t(points[0]);
+  points_ = std::size_t(plate::count_of_all(all, std::int64_t(numbers.size())));
 }
 
 std::vector<double> PointOrder::at_first(std::size_t first, std::size_t count, std::size_t width,

@@ -4,8 +4,8 @@
 #include <omp.h>
 #include <algorithm>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace post {
 namespace {
@@ -28,23 +28,38 @@ std::string range(const Spread& one, const char* unit, double scale = 1) {
   return fmt::format("{:.3g} to {:.3g}{}", one.least * scale, one.largest * scale, unit);
 }
 
+/// The traffic of this rank so far; zeros where one process has all.
+plate::Traffic traffic_so_far(const plate::Communicator& all) {
+  const auto* traffic = all.traffic();
+  return traffic ? *traffic : plate::Traffic{};
+}
+
 }  // namespace
 
-std::shared_ptr<const ProcessesSummary> of_processes(const plate::Communicator& all, std::size_t points,
-                                                     const std::vector<std::pair<std::string, double>>& seconds,
-                                                     double memory, const plate::Traffic& since,
-                                                     std::optional<double> steps) {
-  if (!all.distributed()) return nullptr;
+ProcessesOfRun::ProcessesOfRun() : ProcessesOfRun(plate::single_process()) {}
+
+ProcessesOfRun::ProcessesOfRun(const plate::Communicator& all)
+    : all_(&all), before_(std::make_shared<const plate::Traffic>(traffic_so_far(all))) {}
+
+bool ProcessesOfRun::first() const {
+  return all_->rank() == 0;
+}
+
+std::shared_ptr<const ProcessesSummary> ProcessesOfRun::summary(
+    std::size_t points, const std::vector<std::pair<std::string, double>>& seconds, double memory,
+    std::optional<double> steps) const {
+  if (!all_->distributed()) return nullptr;
+  const auto now = traffic_so_far(*all_), since = now - *before_;
   const double per_step = 1 / std::max(1.0, steps.value_or(1));
   std::vector<double> own{double(points),
                           memory,
-                          traffic_so_far(all).seconds,
+                          now.seconds,
                           double(since.messages) * per_step,
                           double(since.bytes) * per_step,
                           double(since.sums) * per_step};
   for (const auto& stage : seconds) own.push_back(stage.second);
-  const auto found = spreads(all, own);
-  ProcessesSummary result{std::size_t(all.size()),
+  const auto found = spreads(*all_, own);
+  ProcessesSummary result{std::size_t(all_->size()),
                           std::size_t(omp_get_max_threads()),
                           found[0],
                           found[1],
@@ -56,11 +71,6 @@ std::shared_ptr<const ProcessesSummary> of_processes(const plate::Communicator& 
                           found[5]};
   for (std::size_t i = 0; i < seconds.size(); ++i) result.seconds.emplace_back(seconds[i].first, found[6 + i]);
   return std::make_shared<const ProcessesSummary>(std::move(result));
-}
-
-plate::Traffic traffic_so_far(const plate::Communicator& all) {
-  const auto* traffic = all.traffic();
-  return traffic ? *traffic : plate::Traffic{};
 }
 
 std::string printed(const ProcessesSummary& processes) {

@@ -29,15 +29,26 @@ struct ProcessesSummary {
   Spread messages, bytes, sums;
 };
 
-/// Summary of all ranks, from the values of each; null where one process holds the whole plate. Collective: every rank
-/// must call it. `points`: of the rank; `seconds`: of its stages; `since`: traffic of the run; `steps`: or iterations.
-std::shared_ptr<const ProcessesSummary> of_processes(const plate::Communicator& all, std::size_t points,
-                                                     const std::vector<std::pair<std::string, double>>& seconds,
-                                                     double memory, const plate::Traffic& since,
-                                                     std::optional<double> steps);
+/// The ranks of a run, and what they send each other from the construction of this on.
+class ProcessesOfRun {
+public:
+  ProcessesOfRun();  // of one process
+  /// `all` must outlive this.
+  explicit ProcessesOfRun(const plate::Communicator& all);
 
-/// The traffic of this rank so far; zeros where one process has all.
-plate::Traffic traffic_so_far(const plate::Communicator& all);
+  /// True in the first of them.
+  bool first() const;
+
+  /// Summary of all ranks, from the values of each; null where one process holds the whole plate. Collective: every
+  /// rank must call it. `points`: of the rank; `seconds`: of its stages; `steps`: or iterations.
+  std::shared_ptr<const ProcessesSummary> summary(std::size_t points,
+                                                  const std::vector<std::pair<std::string, double>>& seconds,
+                                                  double memory, std::optional<double> steps) const;
+
+private:
+  const plate::Communicator* all_;
+  std::shared_ptr<const plate::Traffic> before_;
+};
 
 /// Returns the summary as three lines for people.
 std::string printed(const ProcessesSummary& processes);

@@ -6,7 +6,6 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/halo_exchange.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/model/section.hpp"
@@ -29,8 +28,7 @@ Frame frame_of(const plate::Formulation& plate, double time, std::size_t step, c
 }
 
 Mesh points_of(const plate::Formulation& plate) {
-  if (plate.communicator().distributed() && !plate.breaking())
-    return plate.mesh();  // with numbers, where points are in no rows
+  if (plate.distributed() && !plate.breaking()) return plate.mesh();  // with numbers, where points are in no rows
   const auto& [units, positions, areas, plate_points, part] = plate.cloud();
   const auto count = std::ptrdiff_t(plate_points);
   return {{positions.begin(), positions.begin() + count},
@@ -42,13 +40,11 @@ Mesh points_of(const plate::Formulation& plate) {
           plate.section().thickness};
 }
 
-Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version,
-                   const plate::Communicator& communicator)
+Recorder::Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version, ProcessesOfRun processes)
     : sink_(std::move(sink)),
-      communicator_(&communicator),
+      processes_(std::move(processes)),
       resolved_(std::move(resolved)),
-      version_(std::move(version)),
-      before_(std::make_shared<const plate::Traffic>(traffic_so_far(communicator))) {
+      version_(std::move(version)) {
   history_.columns = {"time",
                       "step",
                       "strain_energy",
@@ -72,7 +68,7 @@ double largest_deflection(const plate::State& state, const plate::Boundary& boun
   double largest = 0;
   for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k)
     if (boundary.owns(k)) largest = std::max(largest, std::abs(state(0, Eigen::Index(k))));
-  return boundary.map.communicator->largest_of(largest);
+  return plate::largest_of(boundary.map, largest);
 }
 
 }  // namespace
@@ -96,8 +92,7 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plat
   }
   for (const auto& [name, x, shares] : probes) {
     plate::PointValues u = plate::value_at(shares, s.state);
-    for (double& component : u)
-      component = plate::sum_of_all(*boundary.map.communicator, component);  // one process has the place
+    for (double& component : u) component = plate::sum_of_all(boundary.map, component);  // one process has the place
     probes_.rows.push_back({s.time, name, x.x(), x.y(), u[0], u[1], u[2]});
   }
 }
@@ -145,9 +140,8 @@ Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   summary.peak_memory_bytes = peak_memory_bytes();
   const auto& [steps, iterations] = std::tie(summary.analysis.steps, summary.analysis.iterations);
   summary.processes =
-      of_processes(*communicator_, summary.own_points, summary.seconds, double(summary.peak_memory_bytes),
-                   traffic_so_far(*communicator_) - *before_,
-                   steps || iterations ? std::optional(double(steps ? *steps : *iterations)) : std::nullopt);
+      processes_.summary(summary.own_points, summary.seconds, double(summary.peak_memory_bytes),
+                         steps || iterations ? std::optional(double(steps ? *steps : *iterations)) : std::nullopt);
   sink_->summary(to_json(summary));
   return summary;
 }

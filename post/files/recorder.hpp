@@ -9,6 +9,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/solve/archive_types.hpp"
 #include "post/files/frame.hpp"
+#include "post/files/processes.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
@@ -56,7 +57,6 @@ namespace plate {
 class Formulation;
 struct Boundary;
 struct Heat;
-struct Traffic;
 }  // namespace plate
 
 namespace post {
@@ -92,8 +92,7 @@ struct Probe {
 class Recorder {
 public:
   /// `resolved`: the whole case as text; `version` of the program.
-  Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version,
-           const plate::Communicator& communicator = plate::single_process());
+  Recorder(std::unique_ptr<Sink> sink, std::string resolved, std::string version, ProcessesOfRun processes = {});
 
   /// The cells that are drawn, and the points of the states in state.h5, which are those of all frames. Without it
   /// frames are drawn with cells of their own, and state.h5 holds one state, given to final_state().
@@ -109,6 +108,8 @@ public:
   bool draws() const { return sink_->draws(); }
   bool stores() const { return sink_->stores(); }
   bool plots() const { return sink_->plots(); }
+  /// True in the process that writes what all share.
+  bool on_first_process() const { return processes_.first(); }
   /// A frame, with other cells where they are given. What went wrong with it is thrown with the next one, or by
   /// finish().
   void frame(Frame frame, std::optional<plate::Mesh> mesh, plate::State velocity);
@@ -132,10 +133,9 @@ public:
 
 private:
   std::unique_ptr<Sink> sink_;
-  const plate::Communicator* communicator_;
+  ProcessesOfRun processes_;
   std::string resolved_, version_;
   Table history_, probes_, frequencies_;
-  std::shared_ptr<const plate::Traffic> before_;  // of this process, when the run began
   std::vector<std::pair<std::string, Table>> tables_;
 };
 

@@ -13,8 +13,8 @@
 #include "plate/solve/validation.hpp"
 
 namespace post {
-bool is_zero(const plate::State& values, const plate::Communicator& all) {
-  return all.largest_of(values.isZero(0) ? 0 : 1) == 0;
+bool is_zero(const plate::State& values, const plate::Formulation& plate) {
+  return plate::largest_of(plate, values.isZero(0) ? 0 : 1) == 0;
 }
 
 void require_finite(const Named& numbers, const std::string& when) {
@@ -32,8 +32,8 @@ void require_finite(const std::vector<Srif>& factors, const std::string& when) {
   }
 }
 
-void require_finite(const plate::State& state, const std::string& when, const plate::Communicator& all) {
-  plate::require_finite(state, when, all);
+void require_finite(const plate::State& state, const std::string& when, const plate::Formulation& plate) {
+  plate::require_finite(state, when, plate.constraints());
   if (!std::isfinite(state.cwiseAbs().sum()))
     throw plate::NumericalError(fmt::format("the displacements are too large for double precision {}", when));
 }
@@ -71,7 +71,7 @@ double slow_work(const plate::Formulation& plate, const plate::Forces& load, con
     const bool counts = plate.boundary().owns(k);
     return std::array<double, 1>{counts ? load.col(Eigen::Index(k)).dot(state.col(Eigen::Index(k))) : 0};
   };
-  return plate::ordered_sum<1>(plate.communicator(), std::size_t(state.cols()), of_point)[0] / 2;
+  return plate::ordered_sum<1>(plate, std::size_t(state.cols()), of_point)[0] / 2;
 }
 
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
@@ -86,9 +86,9 @@ std::vector<plate::Forces> forces_of(const plate::Formulation& plate) {
   return result;
 }
 
-bool moves(const plate::State& state, double work, const plate::Communicator& all) {
+bool moves(const plate::State& state, double work, const plate::Formulation& plate) {
   constexpr double least = std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon();
-  return !is_zero(state, all) && std::abs(work) >= least;
+  return !is_zero(state, plate) && std::abs(work) >= least;
 }
 
 void require_motion(const plate::Formulation& plate, const std::vector<plate::Forces>& loads, const plate::State& state,
@@ -96,21 +96,21 @@ void require_motion(const plate::Formulation& plate, const std::vector<plate::Fo
   const auto& constraints = plate.constraints();
   const bool loaded = std::ranges::any_of(loads, [&](plate::Forces load) {
     constraints.fold(load);
-    return !is_zero(load, plate.communicator());
+    return !is_zero(load, plate);
   });
   if (!loaded) {
     warnings.emplace_back("no load reaches a part of the plate that may move: it stays as it is");
     return;
   }
-  if (is_zero(state, plate.communicator()) && plate::cancel(plate, loads)) {
+  if (is_zero(state, plate) && plate::cancel(plate, loads)) {
     warnings.emplace_back("the loads cancel: the plate stays at rest");
     return;
   }
-  if (is_zero(state, plate.communicator()))
+  if (is_zero(state, plate))
     throw plate::NumericalError(
         "nothing has moved although loads act: numbers are too small for double precision, or no load acts at any "
         "step");
-  if (!plate::has_prescribed_displacements(plate) && !moves(state, work, plate.communicator()))
+  if (!plate::has_prescribed_displacements(plate) && !moves(state, work, plate))
     throw plate::NumericalError(fmt::format(
         "the loads do a work of {:g}: numbers are too small for double precision; choose other units", work));
 }

@@ -13,8 +13,8 @@ namespace post {
 using Named = std::initializer_list<std::pair<const char*, double>>;
 void require_finite(const Named& numbers, const std::string& when);
 void require_finite(const std::vector<Srif>& factors, const std::string& when);
-/// Displacements of all points.
-void require_finite(const plate::State& state, const std::string& when, const plate::Communicator& all);
+/// Displacements of all points of a plate. Collective.
+void require_finite(const plate::State& state, const std::string& when, const plate::Formulation& plate);
 
 /// Work of loads that grow slowly from zero.
 double slow_work(const plate::Formulation& plate, const plate::State& state);
@@ -28,10 +28,10 @@ double energy_about(const plate::Formulation& plate);  // of all settlements tog
 /// Nodal forces of every load at factor 1; of a prescribed support displacement, the force that it exerts at first.
 std::vector<plate::Forces> forces_of(const plate::Formulation& plate);
 
-/// True where the values are zero on all ranks.
-bool is_zero(const plate::State& values, const plate::Communicator& all);
+/// True where the values are zero on all ranks that share the plate. Collective, as moves().
+bool is_zero(const plate::State& values, const plate::Formulation& plate);
 /// True where the state is not zero, and the work [energy] of the loads not so small that digits of it are lost.
-bool moves(const plate::State& state, double work, const plate::Communicator& all);
+bool moves(const plate::State& state, double work, const plate::Formulation& plate);
 
 /// Throws NumericalError for a plate that does not move but has a load on a degree of freedom that nothing holds. Else
 /// warns that no load reaches what may move, or that loads cancel. `loads`: nodal forces, those that act together as

@@ -1,5 +1,6 @@
 #include "post/files/sinks.hpp"
 
+#include "plate/model/communicator.hpp"
 #include "post/files/atomic_file.hpp"
 #include "post/files/frame.hpp"
 

@@ -8,6 +8,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 #include "post/files/atomic_file.hpp"
 #include "post/files/data_arrays.hpp"
@@ -30,11 +31,6 @@ std::string piece_name(std::size_t frame, int rank) {
 
 std::string cracks(std::size_t frame) {
   return fmt::format("cracks_{:04}.vtp", frame);
-}
-
-void wait_for_all(const plate::Communicator& all) {
-  std::array<std::int64_t, 1> ready{1};
-  all.sum(ready);
 }
 
 /// The pieces, and what each has of its points: as vtu() writes it.
@@ -87,7 +83,7 @@ void VtkSeries::write(const Frame& frame) {
   write_atomically(folder_ / (in_pieces ? piece_name(number, communicator_->rank()) : fields(number)),
                    vtu(mesh_, frame));
   times_.push_back(frame.time);
-  wait_for_all(*communicator_);
+  plate::wait_for_all(*communicator_);
   if (communicator_->rank() > 0) return;
   if (in_pieces) write_atomically(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size()));
   if (frame.cracks) write_atomically(folder_ / cracks(number), vtp(*frame.cracks));
@@ -111,7 +107,7 @@ void VtkSeries::go_on(std::vector<double> times) {
     }
     for (const auto& path : later) std::filesystem::remove(path);
   }
-  wait_for_all(*communicator_);
+  plate::wait_for_all(*communicator_);
 }
 
 std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <set>
 
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 #include "post/files/frame.hpp"
 
 namespace post {

@@ -95,8 +95,8 @@ Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
   Point low = positions.front(), high = low;
   for (const auto& x : positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
   for (const Eigen::Index axis : {0, 1})
-    low[axis] = -boundary_->map.communicator->largest_of(-low[axis]),
-    high[axis] = boundary_->map.communicator->largest_of(high[axis]);
+    low[axis] = -plate::largest_of(boundary_->map, -low[axis]),
+    high[axis] = plate::largest_of(boundary_->map, high[axis]);
   centre_ = (low + high) / 2, arm_ = (high - low).norm() / 2;
 }
 
@@ -114,8 +114,7 @@ Applied Supports::applied(const plate::Forces& forces) const {
     for (std::size_t c = 0; c < plate::unknowns_per_point; ++c) sum += wrench(positions[k], c, force[Eigen::Index(c)]);
     return {sum.force, sum.moment_x, sum.moment_y, std::abs(force[0]) + std::hypot(force[1], force[2]) / arm_};
   };
-  const auto [force, moment_x, moment_y, size] =
-      plate::ordered_sum<4>(*boundary_->map.communicator, positions.size(), of_point);
+  const auto [force, moment_x, moment_y, size] = plate::ordered_sum<4>(boundary_->map, positions.size(), of_point);
   result.sum = {force, moment_x, moment_y}, result.size = size;
   return result;
 }
@@ -129,7 +128,7 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
   for (std::uint32_t h = 0; h < result.supports.size(); ++h) {
     const auto of_holder = std::ranges::equal_range(shares_, h, {}, &Share::holder);
     const auto [force, moment_x, moment_y] =
-        plate::ordered_sum<3>(*boundary_->map.communicator, of_holder.size(), [&](std::size_t s) {
+        plate::ordered_sum<3>(boundary_->map, of_holder.size(), [&](std::size_t s) {
           const auto& [holder, i, unit] = of_holder[std::ptrdiff_t(s)];
           const double size = boundary_->owns(plate::point_of(held[i])) ? reaction[i] : 0;
           return std::array<double, 3>{size * unit.force, size * unit.moment_x, size * unit.moment_y};

@@ -42,7 +42,7 @@ Patterns rounded(Patterns patterns, const std::vector<std::uint32_t>& pattern_of
       for (auto b = patterns.first[p]; b < patterns.first[p + 1]; ++b) sum += std::abs(patterns.bonds[b].shear);
       if (used[p]) largest = std::max(largest, sum);
     }
-    largest = part.communicator->largest_of(largest);
+    largest = largest_of(part, largest);
     const double quantum = std::exp2(std::ceil(std::log2(largest)) - std::numeric_limits<float>::digits);
     if (largest > 0)
       for (auto& bond : patterns.bonds) bond.shear = std::round(bond.shear / quantum) * quantum;

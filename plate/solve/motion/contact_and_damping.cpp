@@ -12,9 +12,11 @@ namespace {
 
 /// Deflection at the place of impact, the same on all ranks.
 double deflection(const Impactor& impactor, const State& state) {
-  return ordered_sum<1>(*impactor.communicator, impactor.terms.size(), [&](std::size_t i) {
+  static const PointMap one_process;
+  const PointMap& map = impactor.map ? *impactor.map : one_process;
+  return ordered_sum<1>(map, impactor.terms.size(), [&](std::size_t i) {
     const auto& [dof, factor] = impactor.terms[i];
-    return std::array<double, 1>{impactor.own.empty() || impactor.own[i] ? factor * at_dof(state, dof) : 0};
+    return std::array<double, 1>{map.owns(point_of(dof)) ? factor * at_dof(state, dof) : 0};
   })[0];
 }
 
@@ -67,7 +69,7 @@ double stable_step(double free, const Impactor& impactor, const Constraints& con
   Forces unit = zero_forces(mass.cols());
   for (const auto& [dof, factor] : impactor.terms) at_dof(unit, dof) += factor;
   constraints.fold(unit);
-  const auto [of_plate] = ordered_sum<1>(constraints.communicator(), std::size_t(unit.size()), [&](std::size_t i) {
+  const auto [of_plate] = ordered_sum<1>(constraints, std::size_t(unit.size()), [&](std::size_t i) {
     const double f = unit.data()[i], m = mass.data()[i];
     return std::array<double, 1>{m > 0 ? f * f / m : 0};
   });

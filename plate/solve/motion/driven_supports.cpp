@@ -14,7 +14,7 @@ namespace plate {
 
 DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
                                const Forces& folded, const std::vector<char>& own)
-    : communicator_(&constraints.communicator()), any_(std::ranges::any_of(loads, &TimedLoad::lifts)) {
+    : constraints_(&constraints), any_(std::ranges::any_of(loads, &TimedLoad::lifts)) {
   const auto owns = [&](std::uint32_t dof) { return own.empty() || own[point_of(dof)]; };
   std::map<std::uint32_t, std::vector<double>> lifts;
   for (std::size_t l = 0; l < loads.size(); ++l) {
@@ -84,10 +84,7 @@ std::array<double, N> DrivenSupports::sum(const Terms& terms) const {
     for (const auto& [leader, factor] : one.leaders)
       if (leaders_[leader].own) terms.of_leader(one, one.mass * factor, leaders_[leader], add);
   };
-  if (communicator_->distributed()) return exact_sum<N>(*communicator_, driven_.size(), each);
-  std::array<double, N> result{};
-  for (std::size_t i = 0; i < driven_.size(); ++i) each(i, [&](std::size_t n, double term) { result[n] += term; });
-  return result;
+  return sum_of_items<N>(*constraints_, driven_.size(), each);
 }
 
 template <typename Real>

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "plate/model/communicator.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/state.hpp"
 
@@ -21,7 +20,7 @@ class DrivenSupports {
 public:
   DrivenSupports() = default;
   /// `mass`: of every degree of freedom, held or not; `folded`: carried over to the free ones; `own`: owned points,
-  /// empty: all.
+  /// empty: all. `constraints` must outlive this.
   DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
                  const Forces& folded, const std::vector<char>& own = {});
 
@@ -73,7 +72,7 @@ private:
   template <std::size_t N, typename Terms>
   std::array<double, N> sum(const Terms& terms) const;
 
-  const Communicator* communicator_ = &single_process();
+  const Constraints* constraints_ = nullptr;
   bool any_ = false;
   std::vector<History> histories_;
   std::vector<Leader> leaders_;

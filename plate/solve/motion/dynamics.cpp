@@ -91,9 +91,9 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
 }
 
 /// Ranks of a distributed plate stop together, at a row.
-bool stops_at(const Communicator& all, bool row) {
-  if (!all.distributed()) return stop_is_asked();
-  return row && all.largest_of(stop_is_asked()) > 0;
+bool stops_at(const Constraints& constraints, bool row) {
+  if (!constraints.distributed()) return stop_is_asked();
+  return row && largest_of(constraints, stop_is_asked()) > 0;
 }
 
 /// State in which a motion begins, or continues.
@@ -173,13 +173,12 @@ template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, DrivenSupports driven,
            TravellingLoads travelling, Eigen::Index points, const DynamicOptions& options,
            const std::function<void(const Instant&)>& observe) {
-  const Communicator& all = constraints.communicator();
   const double dt = options.time_step;
   auto [state, velocity, begin] = Begin(options, masses, points);
   ContactAndDamping contact_and_damping(options, state);
   if (const auto* from = options.from) {
     driven.restore(from->driven), travelling.restore(from->travelling);
-    if (all.distributed() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
+    if (constraints.distributed() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
   }
   if (!options.from && options.start.size() > 0 && !options.bent) driven.start();
   Values<Real> force;
@@ -187,8 +186,8 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   for (std::size_t step = begin;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
     if (rest && (row || options.changes)) rest->complete();
-    const bool stops = stops_at(all, row);
-    if (options.save && (stops || ((row || !all.distributed()) && options.due()))) {
+    const bool stops = stops_at(constraints, row);
+    if (options.save && (stops || ((row || !constraints.distributed()) && options.due()))) {
       MotionCheckpoint memory{step, state, velocity, {}, {}, {}};
       masses.save(memory), contact_and_damping.save(memory);
       memory.driven = driven.memory(), memory.travelling = travelling.memory();
@@ -214,7 +213,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     const auto [before, after] =
         contact_and_damping.damps() ? losses(now, force, masses, contact_and_damping) : std::array<double, 2>{0, 0};
     if (observed) {
-      require_finite(state, fmt::format("at step {}, time {:g}", step, time), all);
+      require_finite(state, fmt::format("at step {}, time {:g}", step, time), constraints);
       auto instant = seen(now, force, work, masses, constraints, contact_and_damping);
       instant.dissipated = contact_and_damping.dissipated() + before;
       driven.complete(instant), travelling.complete(instant);
@@ -246,7 +245,7 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
       rest ? plate.internal_force_overlapped(state, *rest, force) : plate.internal_force(state, force);
     };
     return steps<double>(internal_force, constraints, std::move(masses), std::move(driven),
-                         TravellingLoads(loads, constraints.communicator()), points, options, observe);
+                         TravellingLoads(loads, constraints), points, options, observe);
   }
   Values<float> rounded(unknowns_per_point, points);
   const auto internal_force = [&](const State& state, PendingExchange* rest, Values<float>& force) {
@@ -255,8 +254,8 @@ void central_differences(const Operator& plate, const Constraints& constraints, 
     for (Eigen::Index i = 0; i < state.size(); ++i) rounded.data()[i] = float(state.data()[i]);
     options.single(rounded, force);
   };
-  steps<float>(internal_force, constraints, std::move(masses), std::move(driven),
-               TravellingLoads(loads, constraints.communicator()), points, options, observe);
+  steps<float>(internal_force, constraints, std::move(masses), std::move(driven), TravellingLoads(loads, constraints),
+               points, options, observe);
 }
 
 namespace {
@@ -269,8 +268,8 @@ Forces root_of(const Forces& values) {
   return values.unaryExpr([](double value) { return std::sqrt(value); });
 }
 
-double dot(const Communicator& all, const Forces& a, const State& b) {
-  return ordered_sum<1>(all, static_cast<std::size_t>(a.size()),
+double dot(const Constraints& constraints, const Forces& a, const State& b) {
+  return ordered_sum<1>(constraints, static_cast<std::size_t>(a.size()),
                         [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
 }
 
@@ -293,8 +292,8 @@ double collatz_bound(const Operator& plate, const Constraints& constraints, cons
         bound = std::max(bound, next.data()[n] / scale.data()[n]);
         largest = std::max(largest, next.data()[n] * std::sqrt(mass.data()[n]));
       }
-    smallest_bound = std::min(smallest_bound, constraints.communicator().largest_of(bound));
-    scale = next / constraints.communicator().largest_of(largest);
+    smallest_bound = std::min(smallest_bound, largest_of(constraints, bound));
+    scale = next / largest_of(constraints, largest);
   }
   return smallest_bound;
 }
@@ -305,11 +304,10 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
                                     State now) {
   constexpr double tolerance = 1e-3, margin = 0.01;
   constexpr std::size_t most = 400, check_every = 10;
-  const Communicator& all = constraints.communicator();
   const Forces root = root_of(inverse_of(mass));
   now = (root.array() > 0).select(now, 0.0);
   State before = zero_state(now.cols());
-  now /= std::sqrt(dot(all, now, now));
+  now /= std::sqrt(dot(constraints, now, now));
   std::vector<double> alpha, beta;
   Forces forces;
   State scaled;
@@ -320,9 +318,9 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
     constraints.fold(forces);
     State next = -root.cwiseProduct(forces);  // M^(-1/2) K M^(-1/2) now
     if (!beta.empty()) next -= beta.back() * before;
-    alpha.push_back(dot(all, next, now));
+    alpha.push_back(dot(constraints, next, now));
     next -= alpha.back() * now;
-    beta.push_back(std::sqrt(dot(all, next, next)));
+    beta.push_back(std::sqrt(dot(constraints, next, next)));
     if (alpha.size() % check_every == 0) {
       const auto size = Eigen::Index(alpha.size());
       const Eigenpairs ritz = tridiagonal_eigenpairs(Eigen::Map<Eigen::VectorXd>(alpha.data(), size),
@@ -351,7 +349,7 @@ double stable_time_step(const Operator& plate, const Constraints& constraints, c
 }
 
 std::optional<State> start_by_place(const Formulation& plate) {
-  if (!plate.communicator().distributed()) return std::nullopt;
+  if (!plate.distributed()) return std::nullopt;
   State start(unknowns_per_point, Eigen::Index(plate.points()));
   for (Eigen::Index k = 0; k < start.cols(); ++k) {
     const auto [column, row] = geometry::cell_of(plate.boundary().lattice[std::size_t(k)]);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "plate/formulation/operator.hpp"
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -32,8 +32,7 @@ struct Impactor {
   double mass = 0;                                      // [mass]
   double velocity = 0;                                  // along w [length/time]; its sign tells the side
   double stiffness = 0;                                 // of the contact [force/length]
-  std::vector<char> own = {};                           // of the terms: the point is owned; empty: all
-  const Communicator* communicator = &single_process();
+  const PointMap* map = nullptr;                        // of the plate, which must outlive this; null: one process
 };
 
 /// State of the impacting mass: place along w, velocity half a step before, and the contact so far.

@@ -28,8 +28,8 @@ constexpr double inner_tolerance = 0.1;  // of a solution, relative to that of t
 constexpr Index largest_restarts = 100;
 
 /// Global sums, entry by entry, of the partial sums on each rank.
-MatrixXd of_all(const Communicator& all, MatrixXd sums) {
-  for (double& sum : sums.reshaped()) sum = sum_of_all(all, sum);
+MatrixXd of_all(const Constraints& constraints, MatrixXd sums) {
+  for (double& sum : sums.reshaped()) sum = sum_of_all(constraints, sum);
   return sums;
 }
 
@@ -70,8 +70,8 @@ public:
   /// A random vector at the free degrees of freedom, smoothed: white noise would stay in the residuals of the modes.
   VectorXd start(unsigned seed) const {
     std::mt19937 random(seed);
-    if (constraints_.communicator().distributed()) {
-      std::seed_seq own{seed, unsigned(constraints_.communicator().rank())};
+    if (constraints_.distributed()) {
+      std::seed_seq own{seed, unsigned(constraints_.rank())};
       random.seed(own);
     }
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -90,9 +90,9 @@ public:
 
   /// Dimension of what is left.
   Index dimension() const {
-    return Index(sum_of_all(communicator(), double((root_mass_.array() > 0).count()))) - found_.cols();
+    return Index(sum_of_all(constraints_, double((root_mass_.array() > 0).count()))) - found_.cols();
   }
-  const Communicator& communicator() const { return constraints_.communicator(); }
+  const Constraints& constraints() const { return constraints_; }
   const MatrixXd& found() const { return found_; }
   std::size_t solutions() const { return solutions_; }
   std::size_t iterations() const { return iterations_; }
@@ -100,7 +100,7 @@ public:
 private:
   VectorXd without_found(const VectorXd& x) const {
     if (found_.cols() == 0) return x;
-    return x - found_ * of_all(communicator(), found_.transpose() * x);
+    return x - found_ * of_all(constraints_, found_.transpose() * x);
   }
 
   const Operator& plate_;
@@ -123,8 +123,9 @@ NumericalError not_converged() {
 }
 
 /// Largest eigenpairs of the inverse of a distributed plate. Collective.
-Ritz largest(const Communicator& all, const Inverse& inverse, const EigenpairRequest& wanted, const VectorXd& start) {
+Ritz largest(const Inverse& inverse, const EigenpairRequest& wanted, const VectorXd& start) {
   const auto product = [&](std::span<const double> x, std::span<double> y) { inverse.perform_op(x.data(), y.data()); };
+  const Communicator& all = inverse.constraints().communicator();
   const auto found = all.largest_pairs(product, {start.data(), std::size_t(start.size())}, wanted);
   if (found.values.size() < wanted.count) throw not_converged();
   Ritz result{Eigen::Map<const VectorXd>(found.values.data(), Index(wanted.count)),
@@ -137,9 +138,8 @@ Ritz largest(const Communicator& all, const Inverse& inverse, const EigenpairReq
 Ritz largest(Inverse& inverse, Index count, double tolerance, const VectorXd& start) {
   inverse.solve_to(inner_tolerance * tolerance);
   const Index basis = std::min(2 * count + 4, inverse.dimension());
-  if (inverse.communicator().distributed())
-    return largest(inverse.communicator(), inverse,
-                   {std::size_t(count), std::size_t(basis), tolerance, std::size_t(largest_restarts)}, start);
+  if (inverse.constraints().distributed())
+    return largest(inverse, {std::size_t(count), std::size_t(basis), tolerance, std::size_t(largest_restarts)}, start);
   Spectra::SymEigsSolver<Inverse> lanczos(inverse, count, basis);
   lanczos.init(start.data());
   lanczos.compute(Spectra::SortRule::LargestAlge, largest_restarts, tolerance, Spectra::SortRule::LargestAlge);
@@ -167,9 +167,10 @@ void find(Inverse& inverse, Index count, double tolerance) {
 }
 
 /// The state with the largest |w| of 1, or as it is where nothing but rotations moves.
-State normalized(const Communicator& all, State state) {
-  if (all.distributed()) {
-    const double high = all.largest_of(state.row(0).maxCoeff()), low = all.largest_of(-state.row(0).minCoeff());
+State normalized(const Constraints& constraints, State state) {
+  if (constraints.distributed()) {
+    const double high = largest_of(constraints, state.row(0).maxCoeff()),
+                 low = largest_of(constraints, -state.row(0).minCoeff());
     if (std::max(high, low) > 0) state /= high >= low ? high : -low;
     return state;
   }
@@ -208,12 +209,11 @@ public:
 
   Mode mode(double square, const State& u) const {
     const Forces inertia = mass_.cwiseProduct(u), rest = stiffness_times(u) - square * inertia;
-    const Communicator& all = constraints_.communicator();
     const auto norm = [&](const Forces& f) {
-      return std::sqrt(sum_of_all(all, f.cwiseAbs2().cwiseProduct(weight_).sum()));
+      return std::sqrt(sum_of_all(constraints_, f.cwiseAbs2().cwiseProduct(weight_).sum()));
     };
     const double residual = norm(rest) / ((square + shift_) * norm(inertia));
-    return {std::sqrt(std::max(square, 0.0)) / (2 * std::numbers::pi), residual, normalized(all, u)};
+    return {std::sqrt(std::max(square, 0.0)) / (2 * std::numbers::pi), residual, normalized(constraints_, u)};
   }
 
 private:
@@ -248,9 +248,9 @@ FrequencySolution frequencies(const Operator& plate, const Constraints& constrai
     const Forces force = pairs.stiffness_times(pairs.state(found.col(i)));
     for (Index j = 0; j < found.cols(); ++j) stiffness(j, i) = force.cwiseProduct(pairs.state(found.col(j))).sum();
   }
-  stiffness = of_all(inverse.communicator(), std::move(stiffness));
+  stiffness = of_all(constraints, std::move(stiffness));
   const Eigenpairs eigen =
-      eigenpairs((stiffness + stiffness.transpose()) / 2, of_all(inverse.communicator(), found.transpose() * found));
+      eigenpairs((stiffness + stiffness.transpose()) / 2, of_all(constraints, found.transpose() * found));
   FrequencySolution result{{}, inverse.solutions(), inverse.iterations()};
   for (Index i = 0; i < count; ++i)
     result.modes.push_back(pairs.mode(eigen.values[i], pairs.state(found * eigen.vectors.col(i))));

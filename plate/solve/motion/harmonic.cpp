@@ -128,7 +128,7 @@ HarmonicResponse::HarmonicResponse(const Operator& plate, const Constraints& con
   if (!space.add(load)) throw NumericalError("the loads do not move the plate");
   Index before = 0;  // vectors when it was looked at
   for (Index next = 0;; ++next) {
-    stop_if_asked("a response by Lanczos vectors", constraints.communicator());
+    stop_if_asked("a response by Lanczos vectors", constraints);
     const bool exhausted = next >= space.size();
     if (!exhausted && space.size() < before + std::max(more, before / 64 * 8)) {
       space.add_after(next);

@@ -47,9 +47,8 @@ State bent(const Formulation& plate, const Formula& formula) {
 std::string error_in(const Formulation& plate, const Formula& formula, const State& state) {
   const auto points = Eigen::Index(plate.cloud().plate_points);
   const double spacing = plate.discretization().spacing_at_tips();
-  const double size = plate.communicator().largest_of(state.row(0).head(points).cwiseAbs().maxCoeff());
-  const double steepest =
-      plate.communicator().largest_of(state.bottomRows(2).leftCols(points).colwise().norm().maxCoeff());
+  const double size = largest_of(plate, state.row(0).head(points).cwiseAbs().maxCoeff());
+  const double steepest = largest_of(plate, state.bottomRows(2).leftCols(points).colwise().norm().maxCoeff());
   for (Eigen::Index k = 0; k < points; ++k) {
     if (!plate.boundary().owns(std::size_t(k))) continue;
     for (const Point& along : {Point(spacing / 2, 0), Point(0, spacing / 2)}) {
@@ -72,10 +71,7 @@ std::string error_in(const Formulation& plate, const Formula& formula, const Sta
 }
 
 void require_possible(const Formulation& plate, const Formula& formula, const State& state) {
-  std::vector<std::string> errors{error_in(plate, formula, state)};
-  const Communicator& all = plate.communicator();
-  errors = all.exchanged(std::vector<std::string>(std::size_t(all.size()), errors.front()));
-  for (const auto& error : errors)
+  for (const auto& error : texts_of_all(plate, error_in(plate, formula, state)))
     if (!error.empty()) throw Jumps(formula.text(), error);
 }
 
@@ -89,16 +85,15 @@ bool touches(const Formulation& plate, const Point& at) {
 }
 
 Impactor impactor_of(const Impact& impact, const Formulation& plate) {
-  Impactor result{{}, impact.mass, impact.velocity, impact.stiffness, {}, &plate.communicator()};
-  const bool here = touches(plate, impact.position), anywhere = plate.communicator().largest_of(here) > 0;
+  Impactor result{{}, impact.mass, impact.velocity, impact.stiffness, &plate.boundary().map};
+  const bool here = touches(plate, impact.position), anywhere = largest_of(plate, here) > 0;
   if (anywhere && !here) return result;
   result.terms = terms_of(plate.interpolation(impact.position), 0);
-  for (const auto& [dof, factor] : result.terms) result.own.push_back(plate.boundary().owns(point_of(dof)));
   return result;
 }
 
-double kinetic_energy(const Communicator& all, const Forces& mass, const State& velocity) {
-  return ordered_sum<1>(all, std::size_t(mass.size()), [&](std::size_t i) {  // ghosts have no mass
+double kinetic_energy(const Formulation& plate, const Forces& mass, const State& velocity) {
+  return ordered_sum<1>(plate, std::size_t(mass.size()), [&](std::size_t i) {  // ghosts have no mass
     const double v = velocity.data()[i];
     return std::array<double, 1>{mass.data()[i] * v * v / 2};
   })[0];
@@ -112,8 +107,7 @@ BeginOfMotion begin_of_motion(const Formulation& plate, double rotary) {
   BeginOfMotion result{bent(plate, initial.deflection), bent(plate, initial.velocity)};
   if (result.deflected.size() > 0) require_possible(plate, initial.deflection, result.deflected);
   if (result.deflected.size() > 0) result.given += plate.strain_energy(result.deflected);
-  if (result.velocity.size() > 0)
-    result.given += kinetic_energy(plate.communicator(), plate.mass(rotary), result.velocity);
+  if (result.velocity.size() > 0) result.given += kinetic_energy(plate, plate.mass(rotary), result.velocity);
   if (const auto& impact = problem.impact) {
     result.impact = impactor_of(*impact, plate);
     result.given += impact->mass * impact->velocity * impact->velocity / 2;

@@ -285,14 +285,14 @@ void LanczosMotion::observe(std::size_t rows, const std::function<void(const Ins
       accelerations = shapes_ * amplitudes;
     };
     for (Index i = 0; i < states.cols(); ++i) {
-      stop_if_asked("a motion by Lanczos vectors", single_process());
+      stop_if_asked("a motion by Lanczos vectors");
       const auto& then = at[std::size_t(i)];
       const double time = time_of(first + std::size_t(i));
       const auto column = [&](const MatrixXd& all) -> State {
         return Eigen::Map<const State>(all.col(i).data(), unknowns_per_point, points_);
       };
       const State state = column(states);
-      require_finite(state, fmt::format("at time {:g}", time), single_process());
+      require_finite(state, fmt::format("at time {:g}", time));
       const auto combined = [&](const VectorXd& of_modes) -> State {
         const VectorXd all = shapes_ * of_modes;
         return Eigen::Map<const State>(all.data(), unknowns_per_point, points_);

@@ -27,7 +27,7 @@ PointClass class_of(const std::vector<double>& key) {
 }  // namespace
 
 Masses::Masses(const Forces& mass, std::vector<TimedLoad> loads, const Constraints& constraints)
-    : communicator_(&constraints.communicator()) {
+    : constraints_(&constraints) {
   constexpr std::uint32_t longest = 1024;  // runs are shared out among threads
   for (auto& load : loads) {
     constraints.fold(load.forces);
@@ -95,8 +95,8 @@ double Masses::work(double time, const State& state) {
   return all;
 }
 
-TravellingLoads::TravellingLoads(const std::vector<TimedLoad>& loads, const Communicator& communicator)
-    : communicator_(&communicator) {
+TravellingLoads::TravellingLoads(const std::vector<TimedLoad>& loads, const Constraints& constraints)
+    : constraints_(&constraints) {
   for (const auto& load : loads)
     if (load.moving) loads_.push_back({load.moving, load.history});
 }
@@ -113,10 +113,7 @@ std::array<double, N> TravellingLoads::products(const std::array<double, N>& tim
       });
     }
   };
-  if (communicator_->distributed()) return exact_sum<N>(*communicator_, loads_.size(), each);
-  std::array<double, N> sum{};
-  for (std::size_t i = 0; i < loads_.size(); ++i) each(i, [&](std::size_t n, double term) { sum[n] += term; });
-  return sum;
+  return sum_of_items<N>(*constraints_, loads_.size(), each);
 }
 
 template <typename Real>

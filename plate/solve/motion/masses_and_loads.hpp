@@ -29,6 +29,7 @@ struct Run {
 /// of other processes, are left out: they stay where they are.
 class Masses {
 public:
+  /// `constraints` must outlive this.
   Masses(const Forces& mass, std::vector<TimedLoad> loads, const Constraints& constraints);
 
   bool varies() const { return varies_; }
@@ -55,8 +56,8 @@ public:
         for (Eigen::Index i = begin; i < begin + runs_[r].length; ++i) add(term(one, c, i));
       }
     };
-    if (communicator_->distributed())
-      return exact_sum<N>(*communicator_, runs_.size(), [&](std::size_t r, const auto& add) {
+    if (constraints_->distributed())
+      return exact_sum<N>(*constraints_, runs_.size(), [&](std::size_t r, const auto& add) {
         visit(r, [&](const std::array<double, N>& value) {
           for (std::size_t n = 0; n < N; ++n) add(n, value[n]);
         });
@@ -97,7 +98,7 @@ public:
   }
 
 private:
-  const Communicator* communicator_;
+  const Constraints* constraints_;
   std::vector<PointClass> classes_;
   std::vector<Run> runs_;
   std::vector<History> histories_;
@@ -115,7 +116,8 @@ struct TimedLoad;
 class TravellingLoads {
 public:
   TravellingLoads() = default;
-  TravellingLoads(const std::vector<TimedLoad>& loads, const Communicator& communicator);
+  /// `constraints` must outlive this.
+  TravellingLoads(const std::vector<TimedLoad>& loads, const Constraints& constraints);
 
   bool any() const { return !loads_.empty(); }
 
@@ -140,7 +142,7 @@ private:
   template <std::size_t N>
   std::array<double, N> products(const std::array<double, N>& times, const State& state) const;
 
-  const Communicator* communicator_ = &single_process();
+  const Constraints* constraints_ = nullptr;
   std::vector<Travelling> loads_;
   double work_ = 0, now_ = 0, next_ = 0;  // next: of the forces of the step after with the state of now
   bool begun_ = false;

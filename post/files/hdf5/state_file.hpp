@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "plate/model/communicator.hpp"
+#include "plate/model/point_map.hpp"
 #include "post/files/frame.hpp"
 #include "post/files/table.hpp"
 

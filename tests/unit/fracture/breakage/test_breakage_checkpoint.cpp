@@ -12,6 +12,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/archive.hpp"
+#include "plate/solve/gathered_archives.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/fracture/breakage/damaged_plate.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
@@ -63,12 +64,12 @@ TEST_CASE("severed families of all processes come to each of them") {
   thread_ranks::run(3, [](const plate::Communicator& ranks) {
     const auto number = std::uint64_t(ranks.rank());
     DamagedFamily own{{ranks.rank(), 7, 0}, number, 2, 1.5, 3, number, {1, 0}, {1, 2, 3, 4, 5, 6}};
-    const auto all = of_all(ranks, std::vector<DamagedFamily>(number, own));
+    const auto all = plate::gathered_archives(ranks, std::vector<DamagedFamily>(number, own));
     if (all.size() != 3) throw std::runtime_error("not all families");
     if (all.back().point != PointKey{2, 7, 0} || all.back().weights.size() != 6 || all.back().breakage != 2)
       throw std::runtime_error("not as they were");
   });
-  CHECK(of_all(plate::single_process(), {{}, {}}).size() == 2);
+  CHECK(plate::gathered_archives(plate::single_process(), std::vector<DamagedFamily>(2)).size() == 2);
 }
 
 TEST_CASE("a restored plate breaks its bonds with the same energies to the last bit, whatever broke before") {

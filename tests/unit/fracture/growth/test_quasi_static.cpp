@@ -3,6 +3,7 @@
 
 #include <csignal>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/solve/interruption.hpp"
 #include "tests/catch.hpp"
 
@@ -22,7 +23,7 @@ public:
   bool longest() const override { return advances_ >= longest_; }
 
   const plate::Formulation& plate() const override { throw std::logic_error("a script has no points"); }
-  const plate::Communicator& communicator() const override { return plate::single_process(); }
+  const plate::Constraints& constraints() const override { return constraints_; }
   const plate::State& state() const override { throw std::logic_error("a script has no state"); }
   const plate::StaticSolution& solution() const override { throw std::logic_error("a script is not solved"); }
   std::optional<std::vector<post::Srif>> factors(double) override { return std::nullopt; }
@@ -38,6 +39,7 @@ private:
   std::vector<Loaded> answers_;
   std::size_t advances_ = 0;
   double spent_ = 0;
+  plate::Constraints constraints_;
 };
 
 const std::vector<Loaded> stable{{"", 1, 0.1}, {"", 1, 0.2}, {"", 1, 0.3}, {"", 1, 2}};

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "fracture/growth/growth.hpp"
+#include "plate/formulation/constraints.hpp"
 #include "tests/catch.hpp"
 
 using namespace fracture;
@@ -40,7 +41,7 @@ public:
       : QuasiStaticTips(growth, section, outline, spacing, std::move(cracks)), solve_(std::move(solve)) {}
 
   const plate::Formulation& plate() const override { throw std::logic_error("a formula has no points"); }
-  const plate::Communicator& communicator() const override { return plate::single_process(); }
+  const plate::Constraints& constraints() const override { return constraints_; }
   const plate::State& state() const override { throw std::logic_error("a formula has no state"); }
   const plate::StaticSolution& solution() const override { throw std::logic_error("a formula is not solved"); }
   std::optional<std::vector<post::Srif>> factors(double) override { return std::nullopt; }
@@ -50,6 +51,7 @@ private:
   LoadedPlate full_load(const std::vector<geometry::Polyline>& cracks) override { return solve_(cracks); }
 
   Solve solve_;
+  plate::Constraints constraints_;
 };
 
 struct Result {

@@ -85,7 +85,7 @@ Told told_of(const Communicator& all, const Problem& problem, const std::vector<
   const auto& cells = seen.cells;
   const auto areas = areas_of(cells);
   auto boundary = galerkin_boundary(cells, areas, geometry::to_lattice(problem.outline, cells.units), problem.supports,
-                                    support_motions(problem), all);
+                                    support_motions(problem), {&all});
   boundary.elastic_supports = elastic_supports_of(problem, cells);
   const auto part = part_of_cells(all, problem, seen, boundary.elastic_supports, tips);
   Told told;

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "plate/model/point_map.hpp"
 #include "plate/model/reduction.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
@@ -54,12 +55,22 @@ TEST_CASE("the largest and the sum of all processes, of a single process the num
   CHECK_FALSE(one.distributed());
   CHECK(one.rank() == 0);
   CHECK(one.size() == 1);
-  CHECK(one.largest_of(-3) == -3);
+  CHECK(largest_of(one, -3) == -3);
   CHECK(sum_of_all(one, 0.3) == 0.3);
+  CHECK(std::signbit(sum_of_all(one, -0.0)));
+  CHECK(count_of_all(PointMap(), 3) == 3);
+  CHECK(texts_of_all(PointMap(), "text") == std::vector<std::string>{"text"});
   std::array<bool, 3> right{};
   thread_ranks::run(3, [&](const Communicator& all) {
-    const double largest = all.largest_of(-double(all.rank())), sum = sum_of_all(all, all.rank() == 1 ? 0.3 : 0);
-    right[std::size_t(all.rank())] = largest == 0 && sum == 0.3 && all.distributed() && all.size() == 3;
+    const double largest = largest_of(all, -double(all.rank())), sum = sum_of_all(all, all.rank() == 1 ? 0.3 : 0);
+    const PointMap map{&all};  // stands for its communicator
+    const auto counts = counts_of_all(map, std::array<std::int64_t, 2>{all.rank(), 1});
+    const auto items = [&](std::size_t, const auto& add) { add(0, 0.1); };
+    wait_for_all(map);
+    right[std::size_t(all.rank())] = largest == 0 && sum == 0.3 && all.distributed() && all.size() == 3 &&
+                                     counts == std::array<std::int64_t, 2>{3, 3} && map.rank() == all.rank() &&
+                                     gathered(map, std::vector<int>{all.rank()}) == std::vector<int>{0, 1, 2} &&
+                                     sum_of_items<1>(map, 2, items)[0] == 6 * 0.1;
   });
   CHECK(right == std::array{true, true, true});
 }

@@ -18,13 +18,13 @@ TEST_CASE("a signal asks for the end while a guard lives, and no longer") {
   {
     const StopOnSignals outer;
     CHECK_FALSE(stop_is_asked());
-    CHECK_NOTHROW(stop_if_asked("a test", single_process()));
+    CHECK_NOTHROW(stop_if_asked("a test"));
     std::optional<StopOnSignals> inner(std::in_place);
     raise(SIGTERM);
     CHECK(stop_is_asked());
     inner.reset();
     CHECK(stop_is_asked());  // what encloses it is asked too
-    CHECK_THROWS_WITH(stop_if_asked("a test", single_process()), "asked to stop in a test");
+    CHECK_THROWS_WITH(stop_if_asked("a test"), "asked to stop in a test");
     raise(SIGINT);  // passed on by another: not the second of its kind
     CHECK(stop_is_asked());
   }

@@ -61,9 +61,9 @@ TEST_CASE("static solver: the nearest sum of states leaves a residual that none 
   for (auto& state : states) plate->constraints().impose(state);
   for (std::size_t i = 0; i < 2; ++i) plate->internal_force(states[i], forces[i]);
   const plate::Forces load = plate->total_load();
-  CHECK_FALSE(plate::nearest({}, {}, load));
+  CHECK_FALSE(plate::nearest({}, {}, load, plate->constraints()));
   plate::Forces residual;
-  plate->internal_force(*plate::nearest(states, forces, load), residual);
+  plate->internal_force(*plate::nearest(states, forces, load, plate->constraints()), residual);
   residual += load;
   for (const auto& state : states)
     CHECK(std::abs(state.cwiseProduct(residual).sum()) < 1e-10 * std::abs(state.cwiseProduct(load).sum()));

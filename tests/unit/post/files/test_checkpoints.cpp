@@ -3,6 +3,7 @@
 #include <fstream>
 #include <mutex>
 
+#include "plate/model/point_map.hpp"
 #include "post/files/atomic_file.hpp"
 #include "post/files/run_folder.hpp"
 #include "tests/catch.hpp"

@@ -11,7 +11,8 @@ TEST_CASE("loads that move do the work of their forces, and go on as they were")
   forces.stations = {{0, {{3, 2.0}}}, {1, {{6, 2.0}}}};  // from point 1 to point 2
   std::vector<TimedLoad> loads(1);
   loads[0].moving = std::make_shared<MovingForces>(forces);
-  TravellingLoads load(loads, single_process()), other;
+  const Constraints constraints;
+  TravellingLoads load(loads, constraints), other;
   CHECK(!other.any());
   const double dt = 0.01;
   Forces force;
@@ -23,7 +24,7 @@ TEST_CASE("loads that move do the work of their forces, and go on as they were")
     force = Forces::Zero(3, 3);
     load.add(time, dt, state, force);
     if (n == 50) {
-      later = TravellingLoads(loads, single_process());
+      later = TravellingLoads(loads, constraints);
       later.restore(load.memory());
     } else if (n > 50) {
       Forces again = Forces::Zero(3, 3);
@@ -48,7 +49,8 @@ TEST_CASE("loads that move leave at the end of their path, in their work as in t
     forces.stations = {{0, {{3, 2.0}}}, {last * dt, {{3, 2.0}}}};  // on point 1
     std::vector<TimedLoad> loads(1);
     loads[0].moving = std::make_shared<MovingForces>(forces);
-    TravellingLoads load(loads, single_process());
+    const Constraints constraints;
+    TravellingLoads load(loads, constraints);
     State state = State::Zero(3, 2);
     for (int n = 0; n <= last + 2; ++n) {
       state(0, 1) = n * dt;
