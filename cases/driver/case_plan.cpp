@@ -31,22 +31,8 @@ fracture::Recording recording_of(const Case& c, const RunOptions& options) {
 fracture::RunPlan plan_of(const Case& c, const RunOptions& options) {
   const auto& [vtk, hdf5, reports, every, history_every, checkpoint_every, probes] = c.output;
   const auto report = options.in_memory || !c.output.reports() ? std::nullopt : std::optional(options.folder);
-  return {c,
-          c.analysis,
-          c.growth,
-          c.srif,
-          probes,
-          c.title,
-          c.source,
-          c.units,
-          c.formulation_reason,
-          every,
-          history_every,
-          vtk,
-          hdf5,
-          report,
-          options.quiet,
-          options.communicator};
+  return {c,     c.analysis,    c.growth, c.srif, probes, c.title,      c.source, c.units, c.formulation_reason,
+          every, history_every, vtk,      hdf5,   report, options.quiet};
 }
 
 CaseFile in_other_formulation(const CaseFile& file) {

@@ -34,7 +34,7 @@ std::vector<std::vector<post::Srif>> factors_of(const post::Summary& summary) {
 
 }  // namespace
 
-std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const plate::Communicator& all,
+std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const RunOptions& of_run,
                                                      std::vector<std::string>& warnings) {
   CaseFile coarse = file;
   Case& c = coarse.content;
@@ -43,18 +43,19 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
   std::vector<bool> works;
   if (!c.load_cases.empty()) {
     post::ResultsInMemory unused;
-    Prepared prepared(std::move(coarse), all);
+    Prepared prepared(std::move(coarse), *of_run.communicator);
     plate::Stopwatch stopwatch;
-    const RunOptions options{{}, true, &unused, false, &all};
+    const RunOptions options{{}, true, &unused, false, of_run.communicator};
     fracture::Outputs outputs(plan_of(prepared.file.content, options),
                               recording_of(prepared.file.content, options).recorder, stopwatch);
     rows = factors_of(fracture::run_load_cases(prepared, outputs));
     for (const auto& tip : prepared.tip_methods) works.push_back(tip.works());
   } else {
-    const auto found = discretised(coarse, all);
+    const auto found = discretised(coarse, *of_run.communicator);
     const auto methods = tip_methods(coarse, *found.plate);
     rows.push_back(fracture::of_all(
-        *found.plate, fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
+        *found.plate,
+        fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
     for (const auto& tip : methods) works.push_back(tip.works());
   }
   for (const auto& row : rows) post::require_finite(row, "with twice the spacing");

@@ -9,9 +9,10 @@ namespace cases {
 
 struct Prepared;
 
-/// Computes the intensity factors of a case at rest with twice the spacing: one row, or a row for each of its load
-/// cases and combinations. Warns of tips at which no method has room then. Throws CaseError or plate::NumericalError.
-std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const plate::Communicator& all,
+/// Computes the intensity factors of a case at rest with twice the spacing, by the processes of its run: one row, or a
+/// row for each of its load cases and combinations. Warns of tips at which no method has room then. Throws CaseError or
+/// plate::NumericalError.
+std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const RunOptions& options,
                                                      std::vector<std::string>& warnings);
 
 /// Runs a case in its folder and returns the intensity factors of all rows, or of all load cases and combinations.

@@ -101,7 +101,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   stopwatch.lap("output");
   post::OtherFactors others;
   if (c.srif && c.srif->richardson)
-    others.coarser = coarser_factors(file, *options.communicator, prepared.warnings), stopwatch.lap("srif");
+    others.coarser = coarser_factors(file, options, prepared.warnings), stopwatch.lap("srif");
   if (second) {
     others.formulation = second->file.content.discretization.formulation->name;
     auto part = options.part(others.formulation);
@@ -122,7 +122,8 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
-  require_distributable(file, fracture::not_distributable(plan_of(c, options)));
+  if (const auto& all = *options.communicator; all.distributed())
+    require_distributable(file, fracture::not_for_processes(plan_of(c, options), all.size()));
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
     if (auto done = fracture::done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
   try {

@@ -13,18 +13,16 @@
 #include "plate/galerkin/discretised_cells.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/galerkin/part_of_cells.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/reduction.hpp"
 
 namespace fracture {
 namespace {
 
 /// Message of why the plate in twice the spacing has too few blocks or points for the ranks; empty where it has enough.
-std::string error_in_twice_the_spacing(const plate::Problem& problem, const plate::Communicator& all) {
-  if (!all.distributed()) return "";
+std::string error_in_twice_the_spacing(const plate::Problem& problem, int processes) {
   auto coarse = problem;
   coarse.discretization.spacing *= 2;
-  const int processes = all.size();
   try {
     if (problem.discretization.formulation == &plate::galerkin)
       plate::require_parts(plate::global_cells_of(coarse, plate::crack_paths(coarse), 1, true), processes);
@@ -60,11 +58,7 @@ void refuse_of_bonds(const RunPlan& plan, const Refuse& refuse) {
 
 }  // namespace
 
-std::vector<NotDistributable> not_distributable(const RunPlan& plan) {
-  return plan.communicator->distributed() ? not_for_processes(plan) : std::vector<NotDistributable>();
-}
-
-std::vector<NotDistributable> not_for_processes(const RunPlan& plan) {
+std::vector<NotDistributable> not_for_processes(const RunPlan& plan, int processes) {
   std::vector<NotDistributable> result;
   const Refuse refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
@@ -87,10 +81,9 @@ std::vector<NotDistributable> not_for_processes(const RunPlan& plan) {
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
   }
-  if (auto error =
-          plan.srif && plan.srif->richardson ? error_in_twice_the_spacing(plan.problem, *plan.communicator) : "";
-      !error.empty())
-    result.push_back({"srif.richardson", std::move(error)});
+  if (plan.srif && plan.srif->richardson && processes > 0)
+    if (auto error = error_in_twice_the_spacing(plan.problem, processes); !error.empty())
+      result.push_back({"srif.richardson", std::move(error)});
   refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
   refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
   (cells ? refuse_of_cells : refuse_of_bonds)(plan, refuse);
@@ -98,8 +91,7 @@ std::vector<NotDistributable> not_for_processes(const RunPlan& plan) {
 }
 
 void count_all(post::Summary& summary, const plate::Formulation& plate) {
-  const plate::Communicator& all = plate.communicator();
-  if (!all.distributed()) return;
+  if (!plate.distributed()) return;
   const auto& boundary = plate.boundary();
   std::array<std::int64_t, 4> counts{};  // points, bonds among them, fictitious points, all other bonds
   for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k) {
@@ -109,7 +101,7 @@ void count_all(post::Summary& summary, const plate::Formulation& plate) {
     for (const auto& bond : plate.families()[k]) ++counts[real && boundary.is_plate(bond.neighbour) ? 1 : 3];
   }
   summary.own_points = std::size_t(counts[0]);
-  all.sum(counts);
+  counts = plate::counts_of_all(plate, counts);
   summary.points = std::size_t(counts[0]), summary.bonds = std::size_t(counts[1]);
   summary.fictitious_points = std::size_t(counts[2]), summary.fictitious_bonds = std::size_t(counts[3]);
 }

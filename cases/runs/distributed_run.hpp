@@ -19,10 +19,8 @@ struct RunPlan;
 struct NotDistributable {
   std::string key, why;
 };
-/// Features of a run that its ranks cannot share; empty for a single process.
-std::vector<NotDistributable> not_distributable(const RunPlan& plan);
-/// Features of a run that ranks could not share, whether or not there are several now.
-std::vector<NotDistributable> not_for_processes(const RunPlan& plan);
+/// Features of a run that ranks cannot share. `processes`: their number; 0: not known.
+std::vector<NotDistributable> not_for_processes(const RunPlan& plan, int processes = 0);
 
 /// Counts points and bonds of all ranks, each by its owner; collective.
 void count_all(post::Summary& summary, const plate::Formulation& plate);

@@ -9,7 +9,6 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/interruption.hpp"
@@ -60,10 +59,8 @@ void Outputs::open(const plate::Formulation& plate) {
   place_probes(plate);
   if (!takes_frames()) return;
   const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
-  if (plate.communicator().distributed())
-    drawing_ = std::make_unique<OwnedMesh>(plate, mesh);
-  else if (plan_.report)
-    pictures_.open(mesh);
+  drawing_ = owned_mesh(plate, mesh);
+  if (!drawing_ && plan_.report) pictures_.open(mesh);
   recorder_.open(drawing_ ? drawing_->mesh() : mesh);
 }
 
@@ -73,8 +70,9 @@ void Outputs::row(const post::Sample& sample, const plate::Formulation& plate) {
 
 void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh,
                     const plate::State& velocity) {
-  if (plate.communicator().distributed()) {
-    if (mesh) drawing_ = std::make_unique<OwnedMesh>(plate, *mesh), mesh = drawing_->mesh();
+  if (mesh) drawing_ = owned_mesh(plate, *mesh);
+  if (drawing_) {
+    if (mesh) mesh = drawing_->mesh();
     recorder_.frame(drawing_->frame(std::move(frame)), std::move(mesh),
                     velocity.cols() > 0 ? drawing_->own(velocity) : velocity);
     return;
@@ -123,7 +121,7 @@ void name_settings_by_keys(post::Summary& summary) {
 post::Summary Outputs::finish() {
   name_settings_by_keys(summary_);
   summary_ = recorder_.finish(std::move(summary_), stopwatch_);
-  if (plan_.report && plan_.communicator->rank() == 0)
+  if (plan_.report && recorder_.on_first_process())
     post::write_report(*plan_.report, {plan_.problem, plan_.title, plan_.source, plan_.units, plan_.probes}, pictures_);
   return summary_;
 }

@@ -1,10 +1,11 @@
 #include "cases/runs/owned_mesh.hpp"
 
+#include <optional>
+
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/communicator.hpp"
 
 namespace fracture {
 namespace {
@@ -100,8 +101,8 @@ OwnedMesh::OwnedMesh(const plate::Formulation& plate, const plate::Mesh& whole) 
   mesh_ = std::move(part.mesh), points_ = std::move(part.points), mesh_.own = own_;
 }
 
-std::optional<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole) {
-  return plate.communicator().distributed() ? std::optional<OwnedMesh>(std::in_place, plate, whole) : std::nullopt;
+std::unique_ptr<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole) {
+  return plate.distributed() ? std::make_unique<OwnedMesh>(plate, whole) : nullptr;
 }
 
 plate::State OwnedMesh::own(const plate::State& of_plate, std::size_t count) const {

@@ -1,5 +1,5 @@
 #pragma once
-#include <optional>
+#include <memory>
 
 #include "plate/formulation/mesh.hpp"
 #include "plate/model/state.hpp"
@@ -37,6 +37,6 @@ private:
 };
 
 /// Mesh of the owned points; nothing where one process holds the whole plate.
-std::optional<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole);
+std::unique_ptr<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole);
 
 }  // namespace fracture

@@ -33,7 +33,6 @@ struct RunPlan {
   bool fields = true, states = true;            // for ParaView, to go on from
   std::optional<std::filesystem::path> report;  // the folder of report.html, where one is wanted
   bool quiet = false;                           // no progress
-  const plate::Communicator* communicator = &plate::single_process();
 
   bool grows_at_rest() const { return growth && analysis.kind == plate::Analysis::Kind::static_; }
   bool moves() const { return analysis.kind == plate::Analysis::Kind::dynamic; }
