@@ -96,6 +96,7 @@ struct Ended {
 /// Outcome of a growth in motion.
 struct MovingGrowthOutcome {
   std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
+  std::size_t under_way = 0;                // pieces of crack that have begun and not ended
   std::optional<std::size_t> broken;        // bonds
   std::vector<std::string> reached;         // edges, holes and cracks by tips
   std::vector<std::string> stopped = {};    // tips whose direction is not resolved, and when

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plate/model/communicator.hpp"
+#include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
