@@ -12,6 +12,7 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -55,19 +56,13 @@ double largest_deflection(const post::LoadCaseSummary& one) {
 }
 
 /// Load cases and combinations as they are found.
-class LoadCases : public RunningAnalysis {
+class LoadCases : public PlateAnalysis {
 public:
   LoadCases(const ValidatedPlate& ready, Outputs& outputs, const post::OtherFactors& others)
-      : ready_(ready), plate_(*ready.plate), outputs_(outputs), others_(others) {
-    outputs.summary() = about(outputs.plan(), plate_, ready.warnings);
-    outputs.open(plate_);
-  }
+      : PlateAnalysis(ready, outputs), others_(others) {}
 
   void solve() override;
   void finish() override;
-  plate::NumericalError failed(const plate::NumericalError& error) override {
-    return placed(error, plate_, outputs_.summary());
-  }
 
 private:
   void look(post::LoadCaseSummary one, const Case& now, std::size_t step);
@@ -75,11 +70,7 @@ private:
   void combine(const plate::Combination& combination, const std::vector<Case>& cases);
   std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
   std::vector<std::string> warnings() const;
-  const RunPlan& plan() const { return outputs_.plan(); }
 
-  const ValidatedPlate& ready_;
-  const plate::Formulation& plate_;
-  Outputs& outputs_;
   const post::OtherFactors& others_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
@@ -173,8 +164,7 @@ std::vector<std::string> LoadCases::warnings() const {
 }
 
 void LoadCases::solve() {
-  auto& summary = outputs_.summary();
-  auto& stopwatch = outputs_.stopwatch();
+  auto& summary = this->summary();
   const auto& problem = plate_.problem();
   const auto& analysis = plan().analysis;
   post::Progress progress(plan().quiet, "load cases");
@@ -188,7 +178,7 @@ void LoadCases::solve() {
     auto result = solver(now.load, {analysis.tolerance, analysis.max_iterations, {}}, i + 1 < problem.load_cases.size(),
                          now.lift);
     auto& solution = result.solution;
-    stopwatch.lap("solve");
+    stopwatch().lap("solve");
     all.iterations += solution.iterations, all.residual = std::max(all.residual, solution.residual);
     all.stop_reason = solution.stop_reason;
     summary.analysis.preconditioner = result.preconditioner;
@@ -200,14 +190,14 @@ void LoadCases::solve() {
                                               solution.stop_reason, solution.residual, analysis.tolerance));
     now.state = std::move(solution.state), now.strained = std::move(result.strained);
     look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
-    stopwatch.lap("srif");
+    stopwatch().lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
     if (!problem.combinations.empty()) cases.push_back(std::move(now));
   }
   for (const auto& one : problem.combinations) {
     plate::stop_if_asked("combinations", plate_.communicator());
     combine(one, cases);
-    stopwatch.lap("srif");
+    stopwatch().lap("srif");
   }
   progress.done();
 }
@@ -258,7 +248,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
 void LoadCases::finish() {
   const auto& section = plate_.section();
   auto& recorder = outputs_.recorder();
-  auto& summary = outputs_.summary();
+  auto& summary = this->summary();
   summary.envelope = post::envelope(found_);
   if (plan().srif) {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };

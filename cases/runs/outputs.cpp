@@ -128,6 +128,16 @@ post::Summary Outputs::finish() {
   return summary_;
 }
 
+PlateAnalysis::PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs)
+    : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
+  summary() = about(plan(), plate_, ready.warnings);
+  outputs.open(plate_);
+}
+
+plate::NumericalError PlateAnalysis::failed(const plate::NumericalError& error) {
+  return placed(error, plate_, summary());
+}
+
 post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs) {
   const plate::StopOnSignals signals;
   const auto end = [&](const std::string& outcome, const std::optional<std::string>& reason) {

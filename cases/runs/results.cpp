@@ -12,6 +12,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/communicator.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -30,9 +31,7 @@ Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::v
       reactions_(plate, plan().analysis.rotary_inertia, plan().analysis.method == plate::Analysis::Method::lanczos,
                  plan().analysis.damping.value_or(plate::Damping{}).mass),
       extremes_(plate),
-      energy_balance_(plan().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {
-  outputs_.open(plate);
-}
+      energy_balance_(plan().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {}
 
 void Results::sample(const plate::Instant& now, bool last) {
   const auto heat = plate::heat_at(plate_, now.time);

@@ -102,10 +102,10 @@ TEST_CASE("outputs: messages of a summary name settings by their keys") {
                             {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
   auto& summary = outputs.summary();
   summary.outcome = "set `spacing`", summary.warnings = {"set `tolerance`", "edge `a`"};
-  summary.growth.emplace().outcome = "set `spacing`", summary.accuracy.emplace().outcome = "no setting";
+  summary.growth.emplace().outcome = "set `spacing`", summary.accuracy.emplace().ended_by = "no setting";
   const auto found = outputs.finish();
   CHECK(found.outcome == "set discretization.spacing");
   CHECK(found.warnings == std::vector<std::string>{"set analysis.tolerance", "edge `a`"});
   CHECK(found.growth->outcome == "set discretization.spacing");
-  CHECK(found.accuracy->outcome == "no setting");
+  CHECK(found.accuracy->ended_by == "no setting");
 }
