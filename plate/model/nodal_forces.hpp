@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/shape/crack_path.hpp"
+#include "geometry/shape/outline.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/state.hpp"

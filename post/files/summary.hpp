@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/solve/analysis.hpp"
 #include "post/factors/accuracy.hpp"
+
+namespace plate {
+enum class AnalysisKind;
+}
 
 namespace post {
 
@@ -152,7 +155,7 @@ struct Summary {
   };
   std::optional<Matched> position_aware;  // points by how their weights could be matched
   struct Analysis {
-    plate::Analysis::Kind kind{};
+    plate::AnalysisKind kind{};
     std::string method, stop_reason;
     std::optional<std::string> preconditioner;
     std::optional<std::size_t> iterations, steps;

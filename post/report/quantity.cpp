@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "plate/solve/analysis.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/report/curve_plot.hpp"
