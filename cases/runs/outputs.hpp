@@ -15,7 +15,7 @@ class NumericalError;
 class Stopwatch;
 }  // namespace plate
 
-namespace fracture {
+namespace cases {
 
 class OwnedMesh;
 
@@ -100,4 +100,4 @@ public:
 /// thrown on.
 post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs);
 
-}  // namespace fracture
+}  // namespace cases

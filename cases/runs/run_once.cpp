@@ -24,7 +24,7 @@
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 using plate::Analysis;
@@ -87,7 +87,7 @@ private:
   Results& results_;
   const Analysis& analysis_;
   RunCheckpoints* checkpoints_;
-  std::unique_ptr<MovingGrowth> growth_;
+  std::unique_ptr<fracture::MovingGrowth> growth_;
 };
 
 bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
@@ -258,7 +258,7 @@ SinglePlate::SinglePlate(const ValidatedPlate& ready, Results& results, RunCheck
     : ready_(ready), plate_(*ready.plate), results_(results), analysis_(plan().analysis), checkpoints_(checkpoints) {
   summary() = about(plan(), plate_, ready.warnings);
   if (!plan().growth) return;
-  growth_ = moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
+  growth_ = fracture::moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
   results.grows(*growth_);
 }
 
@@ -282,4 +282,4 @@ post::Summary run_once(const ValidatedPlate& ready, Results& results, RunCheckpo
   return carry_out(analysis, results.outputs());
 }
 
-}  // namespace fracture
+}  // namespace cases
