@@ -9,7 +9,7 @@
 #include "plate/solve/archive.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 
-namespace fracture {
+namespace cases {
 
 void MotionCheckpoints::checkpoint_to(RunCheckpoints& checkpoints, plate::DynamicOptions& options) {
   options.due = [&] { return plate_.communicator().largest_of(checkpoints.due()) > 0; };
@@ -50,4 +50,4 @@ bool MotionCheckpoints::restore(RunCheckpoints& checkpoints) {
   return true;
 }
 
-}  // namespace fracture
+}  // namespace cases

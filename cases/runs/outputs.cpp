@@ -16,7 +16,7 @@
 #include "post/report/cost_model.hpp"
 #include "post/report/html_report.hpp"
 
-namespace fracture {
+namespace cases {
 
 post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings) {
   auto summary = post::about(plate, plan.analysis, {plan.srif.has_value(), plan.fields});
@@ -111,7 +111,7 @@ namespace {
 
 /// Puts keys in the place of the settings that messages of the folders below name.
 void name_settings_by_keys(post::Summary& summary) {
-  const auto name = [](std::string& message) { message = cases::with_keys(message); };
+  const auto name = [](std::string& message) { message = with_keys(message); };
   std::ranges::for_each(summary.warnings, name);
   name(summary.outcome), name(summary.analysis.stop_reason);
   if (summary.growth) name(summary.growth->outcome);
@@ -161,4 +161,4 @@ post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs) {
   return end("done", {});
 }
 
-}  // namespace fracture
+}  // namespace cases

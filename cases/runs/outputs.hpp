@@ -15,7 +15,7 @@ class NumericalError;
 class Stopwatch;
 }  // namespace plate
 
-namespace fracture {
+namespace cases {
 
 class OwnedMesh;
 
@@ -118,4 +118,4 @@ protected:
 /// thrown on.
 post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs);
 
-}  // namespace fracture
+}  // namespace cases

@@ -13,7 +13,7 @@
 #include "post/report/quantity.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 using enum RefusedFolder::Attempt;
@@ -102,4 +102,4 @@ Recording recording(const RecordingOptions& options) {
   return {{std::move(sink), options.resolved, options.version, all}, std::move(checkpoints)};
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -22,7 +22,7 @@
 #include "post/report/response.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 /// The response as it is found.
@@ -159,4 +159,4 @@ post::Summary run_response(const ValidatedPlate& ready, Outputs& outputs) {
   return carry_out(analysis, outputs);
 }
 
-}  // namespace fracture
+}  // namespace cases

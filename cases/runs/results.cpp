@@ -21,7 +21,7 @@
 #include "post/report/curves.hpp"
 #include "post/report/overlaps.hpp"
 
-namespace fracture {
+namespace cases {
 
 Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods)
     : outputs_(outputs),
@@ -61,10 +61,10 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
-    if (growth_) return of_all(plate_.communicator(), growth_->factors(now.state));
+    if (growth_) return fracture::of_all(plate_.communicator(), growth_->factors(now.state));
     if (!plan().srif || factors_.known()) return {};
-    return of_all(plate_.communicator(),
-                  post::srifs(plate_, *plan().srif, tip_methods_, now.what_strains(), last, &heat));
+    return fracture::of_all(plate_.communicator(),
+                            post::srifs(plate_, *plan().srif, tip_methods_, now.what_strains(), last, &heat));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
@@ -111,11 +111,16 @@ post::Cracks Results::finish_growth() {
   recorder.table("tips", record.tips);
   recorder.table("cracks", record.crack_table());
   const auto outcome = growth_->outcome();
-  summary.growth =
-      post::GrowthSummary{in_words(outcome), outcome.advances, {}, {}, outcome.spent, outcome.largest_speed,
-                          outcome.broken,    outcome.lengths};
-  outputs_.warn(warnings_about_spent_energy(*plan().growth, outcome, plan().problem.section, remedy()));
-  outputs_.warn(warnings_about_directions(outcome, remedy()));
+  summary.growth = post::GrowthSummary{fracture::in_words(outcome),
+                                       outcome.advances,
+                                       {},
+                                       {},
+                                       outcome.spent,
+                                       outcome.largest_speed,
+                                       outcome.broken,
+                                       outcome.lengths};
+  outputs_.warn(fracture::warnings_about_spent_energy(*plan().growth, outcome, plan().problem.section, remedy()));
+  outputs_.warn(fracture::warnings_about_directions(outcome, remedy()));
   outputs_.warn(record.cut_places(plan().problem));
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
@@ -147,7 +152,8 @@ void Results::finish() {
   summary.frequencies = frequencies_;
   post::conclude(summary, {section, plan().srif, plan().si(), history, reactions_, factors_.last()});
   if (!growth_)
-    post::look_for_largest(summary, section, of_all(plate_.communicator(), extremes_.found()), times_, factors_.rows());
+    post::look_for_largest(summary, section, fracture::of_all(plate_.communicator(), extremes_.found()), times_,
+                           factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   outputs_.warn(post::left_out(plate_.tips(), tip_methods_));
@@ -171,7 +177,7 @@ void Results::memory(Archive& archive) {
 void Results::save(plate::OutArchive& archive) {
   outputs_.save(archive);
   const auto own = extremes_.so_far();
-  extremes_.so_far(of_all(plate_.communicator(), own));
+  extremes_.so_far(fracture::of_all(plate_.communicator(), own));
   memory(archive);
   extremes_.so_far(own);
 }
@@ -181,4 +187,4 @@ void Results::restore(plate::InArchive& archive) {
   memory(archive);
 }
 
-}  // namespace fracture
+}  // namespace cases

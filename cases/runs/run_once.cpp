@@ -25,7 +25,7 @@
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 using plate::Analysis;
@@ -81,7 +81,7 @@ private:
   Results& results_;
   const Analysis& analysis_;
   RunCheckpoints* checkpoints_;
-  std::unique_ptr<MovingGrowth> growth_;
+  std::unique_ptr<fracture::MovingGrowth> growth_;
 };
 
 bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
@@ -254,7 +254,7 @@ SinglePlate::SinglePlate(const ValidatedPlate& ready, Results& results, RunCheck
       analysis_(plan().analysis),
       checkpoints_(checkpoints) {
   if (!plan().growth) return;
-  growth_ = moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
+  growth_ = fracture::moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
   results.grows(*growth_);
 }
 
@@ -278,4 +278,4 @@ post::Summary run_once(const ValidatedPlate& ready, Results& results, RunCheckpo
   return carry_out(analysis, results.outputs());
 }
 
-}  // namespace fracture
+}  // namespace cases
