@@ -17,7 +17,7 @@ class MovingGrowth;
 
 namespace cases {
 
-/// What is found of one plate at rest, in motion or by its frequencies, for the outputs of its run: rows, factors and
+/// Results of one plate at rest, in motion or by its frequencies, for the outputs of its run: rows, factors and
 /// frames as the solver goes, then the tables.
 class Results {
 public:
