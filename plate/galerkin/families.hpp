@@ -63,10 +63,7 @@ struct ConsistencyResiduals {
 ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const geometry::Tessellation& cells,
                                            const std::vector<char>& own = {});
 
-}  // namespace plate
-
-/// Family of the Galerkin plate (theory.md, "The Galerkin plate"); psi = (-theta_y, theta_x).
-namespace plate {
+// Family of the Galerkin plate (theory.md, "The Galerkin plate"); psi = (-theta_y, theta_x).
 
 /// Weights of the parts of its energy.
 struct GalerkinWeights {

@@ -11,6 +11,7 @@
 namespace plate {
 
 class HaloExchange;
+struct Traffic;
 
 /// A point that a process has a copy of: where it is there, and whose it is.
 struct Copy {
@@ -37,7 +38,6 @@ public:
   virtual void apply(std::span<double> values) const = 0;
 };
 
-struct Traffic;
 /// Product y = A x of a symmetric matrix and a vector, of the unknowns of the rank. Collective.
 using DistributedProduct = std::function<void(std::span<const double> x, std::span<double> y)>;
 

@@ -12,6 +12,8 @@
 
 namespace post {
 
+struct ProcessesSummary;
+
 /// A force along w and the moments about the x and y axes through the origin; sums of nodal forces.
 struct Wrench {
   double force = 0;                   // [force]
@@ -49,8 +51,6 @@ struct ReactionSummary {
   /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
   std::optional<double> truncation = {};
 };
-
-struct ProcessesSummary;
 
 /// A part of the program that a scene uses, and what it costs.
 struct ScenePart {

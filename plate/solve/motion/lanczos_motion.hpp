@@ -7,6 +7,9 @@
 
 namespace plate {
 
+class Inertia;
+class Preconditioner;
+
 /// Modes that move under loads that are straight lines in time between the points of their histories: exact.
 class MovingModes {
 public:
@@ -45,9 +48,6 @@ private:
   Eigen::VectorXd y_, v_;
   double work_ = 0;
 };
-
-class Inertia;
-class Preconditioner;
 
 struct LanczosOptions {
   double duration = 0;
