@@ -402,6 +402,9 @@ private:
   std::unique_ptr<DistributedInverse> inverse_;
 };
 
+constexpr int sweeps = 2;       // before and after
+constexpr double weight = 0.6;  // of a sweep
+
 }  // namespace
 
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary) {
@@ -409,13 +412,6 @@ std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& tra
     return std::make_unique<DistributedCoarsePlate>(*boundary.map.communicator, L, transfer, boundary);
   return std::make_unique<FactorisedCoarsePlate>(coarse_stiffness(L, transfer, boundary.constraints));
 }
-
-namespace {
-
-constexpr int sweeps = 2;       // before and after
-constexpr double weight = 0.6;  // of a sweep
-
-}  // namespace
 
 TwoLevelPreconditioner::TwoLevelPreconditioner(const FamilyOperator& plate, const Boundary& boundary,
                                                const Section& section, const Discretization& discretization)

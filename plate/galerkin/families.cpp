@@ -112,10 +112,6 @@ GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// The first point with squares all about it and its neighbours, and the families about it.
 std::optional<std::pair<GalerkinFamilies, std::uint32_t>> first_of_lattice(const Tessellation& whole) {
   const auto inside = inside_lattice(whole);

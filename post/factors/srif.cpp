@@ -19,10 +19,6 @@ void at_least(Srif& srif, const std::array<double, 3>& other) {
     srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]));
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::array<std::pair<SrifMethod, const char*>, 7> names_of_methods{
     {{SrifMethod::virtual_crack_extension, "virtual_crack_extension"},
      {SrifMethod::domain_integral, "domain_integral"},
