@@ -49,19 +49,6 @@ double largest_factor(const Srif& srif, double thickness) {
   return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
 }
 
-double error_of_leading(const std::vector<Srif>& factors, double thickness) {
-  double largest = 0;
-  std::optional<std::size_t> tip;
-  for (const auto& srif : factors) {
-    if (std::exchange(tip, srif.tip) == srif.tip) continue;
-    const std::array sizes{std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness};
-    const auto leading = std::size_t(std::ranges::max_element(sizes) - sizes.begin());
-    const double error = srif.errors[leading].value_or(0) * (leading == 2 ? thickness : 1);
-    if (sizes[leading] > 0) largest = std::max(largest, error / sizes[leading]);
-  }
-  return largest;
-}
-
 void widen(Srif& srif, const Srif& coarser, double thickness) {
   const double largest = largest_factor(srif, thickness);
   if (largest == 0) return;
