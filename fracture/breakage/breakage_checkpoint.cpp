@@ -1,8 +1,6 @@
 #include "fracture/breakage/breakage_checkpoint.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -36,20 +34,7 @@ std::optional<std::uint32_t> PointKeys::point(const PointKey& key) const {
 
 std::vector<DamagedFamily> of_all(const plate::Communicator& all, std::vector<DamagedFamily> own) {
   if (!all.distributed()) return own;
-  std::ostringstream text;
-  {
-    plate::OutArchive archive(text);
-    archive(own);
-  }
-  std::vector<DamagedFamily> result;
-  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
-    std::istringstream in(one);
-    plate::InArchive archive(in);
-    std::vector<DamagedFamily> theirs;
-    archive(theirs);
-    std::ranges::move(theirs, std::back_inserter(result));
-  }
-  return result;
+  return plate::gathered_archives(all, own);
 }
 
 void DamagedPlate::save(plate::OutArchive& archive) const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -15,25 +14,6 @@
 namespace fracture {
 
 namespace {
-
-/// Gathers the values of all ranks, one rank after the other. Collective.
-template <typename T>
-std::vector<T> gathered_archives(const plate::Communicator& all, const std::vector<T>& own) {
-  std::ostringstream text;
-  {
-    cereal::BinaryOutputArchive archive(text);
-    archive(own);
-  }
-  std::vector<T> result;
-  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), text.str()))) {
-    std::istringstream in(one);
-    cereal::BinaryInputArchive archive(in);
-    std::vector<T> theirs;
-    archive(theirs);
-    std::ranges::move(theirs, std::back_inserter(result));
-  }
-  return result;
-}
 
 /// Order of peaks that does not depend on the order of the ranks: the larger comes first, then the earlier, the lower,
 /// the one to the left.
@@ -83,14 +63,14 @@ std::shared_ptr<const plate::Surroundings> overlap_of_growth(const plate::Formul
 
 std::vector<post::Srif> of_all(const plate::Communicator& all, std::vector<post::Srif> own) {
   if (!all.distributed()) return own;
-  auto result = gathered_archives(all, own);
+  auto result = plate::gathered_archives(all, own);
   std::ranges::stable_sort(result, {}, &post::Srif::tip);
   return result;
 }
 
 std::vector<post::Peak> of_all(const plate::Communicator& all, std::vector<post::Peak> own) {
   if (!all.distributed()) return own;
-  auto found = gathered_archives(all, own);
+  auto found = plate::gathered_archives(all, own);
   std::vector<post::Peak> result;
   for (const auto& one : own) {
     std::erase_if(found, [&](const post::Peak& peak) { return peak.quantity == one.quantity && !peak.position; });

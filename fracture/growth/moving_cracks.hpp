@@ -62,8 +62,6 @@ public:
   /// Energy taken so far, and length gone.
   double fracture_energy() const { return spent_; }
   double length() const { return length_; }
-  /// Speed that no tip exceeds: 0.93 of the shear wave's, about Rayleigh's [length/time].
-  double speed_limit() const { return speed_limit_; }
   /// Tips that may still advance, by their number at the start.
   std::vector<std::pair<std::size_t, geometry::Tip>> tips() const;
 

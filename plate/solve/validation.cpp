@@ -123,7 +123,7 @@ void require_finite(const State& state, const std::string& when, const Communica
   } catch (const NumericalError& error) {
     wrong = "process " + std::to_string(all.rank()) + ": " + error.what();
   }
-  for (const auto& one : all.exchanged(std::vector<std::string>(std::size_t(all.size()), wrong)))
+  for (const auto& one : all.text_of_each(wrong))
     if (!one.empty()) throw NumericalError(one);
 }
 

@@ -159,7 +159,7 @@ void tell(const plate::Communicator& all, std::vector<TipMethods>& methods) {
     for (const auto& line : tip.left_out()) own += line + '\n';
     own += '\f';
   }
-  for (const auto& theirs : all.exchanged(std::vector<std::string>(std::size_t(all.size()), own))) {
+  for (const auto& theirs : all.text_of_each(own)) {
     std::istringstream tips(theirs);
     std::string tip, line;
     for (auto& one : methods) {

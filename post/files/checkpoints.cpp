@@ -214,11 +214,6 @@ std::string first_of(const std::vector<std::string>& texts) {
   return found == texts.end() ? "" : *found;
 }
 
-/// Gathers the text `own` of every rank.
-std::vector<std::string> told(const plate::Communicator& all, const std::string& own) {
-  return all.exchanged(std::vector<std::string>(std::size_t(all.size()), own));
-}
-
 fs::path part(const fs::path& folder, std::size_t turn, std::size_t rank) {
   return folder / fmt::format("checkpoint.{}.{}", turn, rank);
 }
@@ -241,11 +236,11 @@ void Checkpoints::write(const std::string& memory, const CellValues& own) {
     } catch (const fs::filesystem_error& error) {
       problem = error.what();
     }
-    if (problem = first_of(told(*all_, problem)); !problem.empty()) throw CheckpointNotWritten(problem);
+    if (problem = first_of(all_->text_of_each(problem)); !problem.empty()) throw CheckpointNotWritten(problem);
     return result;
   };
   const auto path = part(folder_, turn_, std::size_t(all_->rank()));
-  const auto checksums = told(*all_, together([&] { return write_cells(path, own); }));
+  const auto checksums = all_->text_of_each(together([&] { return write_cells(path, own); }));
   together([&] {
     const auto head = fmt::format("{}{}\n{} {} {}\n", magic, of_, turn_, checksums.size(), fmt::join(checksums, " "));
     if (all_->rank() == 0) write_main(folder_, head, memory);
@@ -259,7 +254,8 @@ std::optional<Checkpoints::Found> Checkpoints::read(std::vector<std::string>& re
     std::string problem;
     const auto main = read_main(folder_ / name, of_, problem);
     if (main) problem = error_in_parts(*all_, folder_, *main);
-    const auto found = told(*all_, main ? "+" + problem : problem.empty() ? "" : "-" + problem);  // nothing: none
+    const std::string own = main ? "+" + problem : problem.empty() ? "" : "-" + problem;  // nothing: none
+    const auto found = all_->text_of_each(own);
     const auto missing = std::ranges::count(found, std::string());
     const auto wrong = std::ranges::find_if(found, [](const std::string& one) { return one.size() > 1; });
     if (wrong != found.end())

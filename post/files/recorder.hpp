@@ -12,6 +12,13 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
+namespace plate {
+class Formulation;
+struct Boundary;
+struct Heat;
+struct Traffic;
+}  // namespace plate
+
 namespace post {
 
 /// Destination of the results of a run: a folder, or memory.
@@ -49,17 +56,6 @@ public:
   /// The frames of these times were written before the run was ended.
   virtual void go_on([[maybe_unused]] const std::vector<double>& times) {}
 };
-
-}  // namespace post
-
-namespace plate {
-class Formulation;
-struct Boundary;
-struct Heat;
-struct Traffic;
-}  // namespace plate
-
-namespace post {
 
 /// A row of history.csv: one instant. What does not exist in an analysis stays empty.
 struct Sample {

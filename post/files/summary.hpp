@@ -15,6 +15,8 @@ enum class AnalysisKind;
 
 namespace post {
 
+struct ProcessesSummary;
+
 /// A force along w and the moments about the x and y axes through the origin; sums of nodal forces.
 struct Wrench {
   double force = 0;                   // [force]
@@ -52,8 +54,6 @@ struct ReactionSummary {
   /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
   std::optional<double> truncation = {};
 };
-
-struct ProcessesSummary;
 
 /// A part of the program that a scene uses, and what it costs.
 struct ScenePart {

@@ -88,21 +88,6 @@ std::optional<Summary> summary_of(const Json& json) {
   return summary;
 }
 
-}  // namespace
-
-std::optional<Summary> read_summary(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  const auto json = Json::parse(file, nullptr, false);
-  if (!json.is_object()) return std::nullopt;
-  try {
-    return summary_of(json);
-  } catch (const Json::exception&) {
-    return std::nullopt;  // of another version
-  }
-}
-
-namespace {
-
 using Row = std::vector<Cell>;
 
 /// Description of the quantities of a name.
@@ -211,6 +196,17 @@ std::optional<double> of_summary(const Quantity& quantity, const Summary& summar
 }
 
 }  // namespace
+
+std::optional<Summary> read_summary(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  const auto json = Json::parse(file, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    return summary_of(json);
+  } catch (const Json::exception&) {
+    return std::nullopt;  // of another version
+  }
+}
 
 std::string Quantity::place() const {
   if (mode) return fmt::format("mode {}", *mode);

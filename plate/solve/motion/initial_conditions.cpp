@@ -72,10 +72,7 @@ std::string error_in(const Formulation& plate, const Formula& formula, const Sta
 }
 
 void require_possible(const Formulation& plate, const Formula& formula, const State& state) {
-  std::vector<std::string> errors{error_in(plate, formula, state)};
-  const Communicator& all = plate.communicator();
-  errors = all.exchanged(std::vector<std::string>(std::size_t(all.size()), errors.front()));
-  for (const auto& error : errors)
+  for (const auto& error : plate.communicator().text_of_each(error_in(plate, formula, state)))
     if (!error.empty()) throw Jumps(formula.text(), error);
 }
 
