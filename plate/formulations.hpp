@@ -6,8 +6,7 @@
 
 namespace plate {
 
-struct Discretization;
-struct FormulationKind;
+struct Problem;
 
 /// Formulations that a problem may be solved with. An automatic choice takes the first that can do what is asked for.
 const std::vector<const FormulationKind*>& formulations();
@@ -18,8 +17,6 @@ const FormulationKind& other_formulation(const FormulationKind& one);
 /// The formulation of a discretisation: that of bonds is another one with surface nodes or
 /// fictitious nodes.
 const FormulationKind& formulation_of(const Discretization& discretization);
-
-struct Problem;
 
 /// The way to the equilibrium of a plate of so many points, told without the plate, and how its cost follows their
 /// number.

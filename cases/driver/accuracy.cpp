@@ -16,11 +16,11 @@
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
-post::AccuracyTrial in_motion(ValidatedPlate& ready, const plate::Analysis& analysis,
-                              const post::SrifOptions& options) {
+post::AccuracyTrial trial_in_motion(ValidatedPlate& ready, const plate::Analysis& analysis,
+                                    const post::SrifOptions& options) {
   constexpr double of_truncation = 0.1;  // of the accuracy
   const auto& plate = *ready.plate;
   const auto reactions = post::Supports(plate.boundary()).elastic_forces(plate);
@@ -55,7 +55,7 @@ post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis
   plate::stop_if_asked("the search for srif.accuracy", ready.plate->constraints());
   post::AccuracyTrial result{ready.plate.get(), {}, {}, 0, 0};
   if (analysis.kind == plate::Analysis::Kind::dynamic) {
-    result = in_motion(ready, analysis, options);
+    result = trial_in_motion(ready, analysis, options);
   } else {
     const auto where = fmt::format("on the way to srif.accuracy, {} points", ready.plate->points());
     auto [equilibrium, factors] = factors_at_rest(*ready.plate, ready.tip_methods, analysis, options, where);
@@ -68,9 +68,6 @@ post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis
   return result;
 }
 
-}  // namespace fracture
-
-namespace cases {
 namespace {
 
 CaseFile with_size(const CaseFile& file, double size) {
@@ -107,10 +104,10 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
       [&](double size) -> std::variant<post::AccuracyTrial, post::Infeasible> {
         try {
           auto next = std::make_unique<Prepared>(with_size(file, size));
-          auto trial = fracture::trial(*next, next->file.content.analysis, *next->file.content.srif);
+          auto solved = trial(*next, next->file.content.analysis, *next->file.content.srif);
           if (plate) before.add(plate->stopwatch);
           plate = std::move(next);
-          return trial;
+          return solved;
         } catch (const CaseError& error) {
           const auto& first = error.problems().front();
           const auto& key = first.key;

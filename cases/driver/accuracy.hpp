@@ -10,7 +10,10 @@ namespace plate {
 struct Analysis;
 }
 
-namespace fracture {
+namespace cases {
+
+struct CaseFile;
+struct Prepared;
 
 /// The factors of a plate in equilibrium, and the equilibrium. `when` it is sought, for what is thrown where it is not
 /// found: NumericalError.
@@ -24,13 +27,6 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
 
 /// Solves a plate on the way to a stated accuracy; its solution stays with it. Throws NumericalError.
 post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis, const post::SrifOptions& options);
-
-}  // namespace fracture
-
-namespace cases {
-
-struct CaseFile;
-struct Prepared;
 
 /// A plate whose discretisation was found, and how.
 struct Accurate {

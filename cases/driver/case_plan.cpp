@@ -13,22 +13,22 @@ RunOptions RunOptions::part(const std::string& name) const {
   return {folder / name, quiet, in_memory ? &in_memory->parts[name] : nullptr, resume, communicator};
 }
 
-fracture::RecordingOptions recording_options(const Case& c, const RunOptions& options) {
+RecordingOptions recording_options(const Case& c, const RunOptions& options) {
   const auto& out = c.output;
   const bool moves = c.analysis.kind == Analysis::Kind::dynamic;
   return {options.folder, resolved_toml(c),     PDPLATE_VERSION, out.vtk,       out.hdf5,
           moves,          out.checkpoint_every, options.resume,  options.quiet, options.communicator};
 }
 
-fracture::Recording recording_of(const Case& c, const RunOptions& options) {
-  if (!options.in_memory) return fracture::recording(recording_options(c, options));
+Recording recording_of(const Case& c, const RunOptions& options) {
+  if (!options.in_memory) return recording(recording_options(c, options));
   auto& in_memory = *options.in_memory;
   in_memory.resolved = resolved_toml(c);
   in_memory.wants_fields = in_memory.wants_fields && (c.output.vtk || c.output.hdf5);
   return {{std::make_unique<post::MemorySink>(in_memory), in_memory.resolved, PDPLATE_VERSION}, nullptr};
 }
 
-fracture::RunPlan plan_of(const Case& c, const RunOptions& options) {
+RunPlan plan_of(const Case& c, const RunOptions& options) {
   const auto& [vtk, hdf5, reports, every, history_every, checkpoint_every, probes] = c.output;
   const auto report = options.in_memory || !c.output.reports() ? std::nullopt : std::optional(options.folder);
   return {c,     c.analysis,    c.growth, c.srif, probes, c.title,      c.source, c.units, c.formulation_reason,

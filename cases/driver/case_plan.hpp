@@ -8,12 +8,12 @@ namespace cases {
 
 struct Case;
 
-fracture::RecordingOptions recording_options(const Case& c, const RunOptions& options);
-/// Returns where the results of a run of the case go. Throws fracture::RefusedFolder.
-fracture::Recording recording_of(const Case& c, const RunOptions& options);
+RecordingOptions recording_options(const Case& c, const RunOptions& options);
+/// Returns where the results of a run of the case go. Throws RefusedFolder.
+Recording recording_of(const Case& c, const RunOptions& options);
 
 /// Plan of a run of the case, which must outlive it.
-fracture::RunPlan plan_of(const Case& c, const RunOptions& options);
+RunPlan plan_of(const Case& c, const RunOptions& options);
 
 /// The case in the other formulation, without files for fields. Settings that only one formulation has take their
 /// defaults. Throws CaseError where the case cannot be stated in it.

@@ -22,16 +22,15 @@
 namespace cases {
 namespace {
 
-using fracture::ReducedRun;
 using plate::EdgeMethod;
 
 CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const ReducedRun& reduced) {
   CaseFile result = file;
   Case& c = result.content;
-  c.discretization = fracture::widened(c.discretization, reduced.wider);
+  c.discretization = widened(c.discretization, reduced.wider);
   if (const auto edges = c.discretization.boundary; edges != EdgeMethod::images && edges != EdgeMethod::layer)
     c.section.thicken(reduced.wider);  // they ask for points that are close for it
-  c.analysis = fracture::sampled(c.analysis, solver, reduced, c.growth.has_value());
+  c.analysis = sampled(c.analysis, solver, reduced, c.growth.has_value());
   for (auto& load : c.loads) {
     load.history = {};  // some start from nothing, and nothing would move
     if (load.as<plate::Settlement>() && c.analysis.kind == Analysis::Kind::dynamic)
@@ -52,7 +51,7 @@ post::SampleRun run_of(const CaseFile& file, const plate::UsualSolver& solver, c
   const post::ScratchFolder scratch("pdplate_check");
   const auto begun = std::clock();
   plate::Stopwatch watch;
-  auto result = fracture::sample_run(plan_of(sample.content, {}), run(sample, {scratch.path(), true}), reduced.wider);
+  auto result = sample_run(plan_of(sample.content, {}), run(sample, {scratch.path(), true}), reduced.wider);
   watch.lap("run");
   result.share = std::min(1.0, double(std::clock() - begun) / CLOCKS_PER_SEC / watch.total());
   result.files = scratch.bytes();
@@ -85,7 +84,7 @@ std::optional<CaseFile> by_other_method(const CaseFile& file) {
 
 }  // namespace
 
-fracture::RunEstimate estimate_cost(const CaseFile& file) {
+RunEstimate estimate_cost(const CaseFile& file) {
   const auto run = [&](const plate::UsualSolver& solver, const ReducedRun& reduced) -> std::optional<post::SampleRun> {
     try {
       return run_of(file, solver, reduced);
@@ -99,7 +98,7 @@ fracture::RunEstimate estimate_cost(const CaseFile& file) {
     }
     return {};
   };
-  return unless_refused(file, [&] { return fracture::estimate_cost(plan_of(file.content, {}), run); });
+  return unless_refused(file, [&] { return estimate_cost(plan_of(file.content, {}), run); });
 }
 
 std::string cheaper_way(const CaseFile& file, double seconds) {
@@ -127,10 +126,10 @@ namespace {
 constexpr double giga = 1e9;
 
 /// Estimated cost, as text, of a run by `count` ranks of a distributed plate.
-std::string of_processes(const CaseFile& file, const fracture::RunEstimate& run, int count) {
+std::string of_processes(const CaseFile& file, const RunEstimate& run, int count) {
   const auto plan = plan_of(file.content, {});
-  const auto processes = unless_refused(file, [&] { return fracture::estimated_processes(file.content, count); });
-  return fracture::to_text(run, plan) + fracture::to_text(processes, fracture::run_by_one(run, plan)) +
+  const auto processes = unless_refused(file, [&] { return estimated_processes(file.content, count); });
+  return to_text(run, plan) + to_text(processes, run_by_one(run, plan)) +
          fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
                      run.sample_points);
 }
@@ -139,7 +138,7 @@ std::string of_processes(const CaseFile& file, const fracture::RunEstimate& run,
 std::string of_run(const CaseFile& file, int processes) {
   const auto run = estimate_cost(file);
   if (processes > 0) return of_processes(file, run, processes);
-  std::string text = fracture::to_text(run, plan_of(file.content, {}));
+  std::string text = to_text(run, plan_of(file.content, {}));
   double bytes = run.bytes, seconds = run.costs.total();
   if (file.content.srif && file.content.srif->second_formulation) {
     const auto other = estimate_cost(in_other_formulation(file));
@@ -176,7 +175,7 @@ std::string of_plate(const CaseFile& file) {
 std::string cost(const CaseFile& file, int processes) {
   constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
-  if (processes > 0) require_distributable(file, fracture::not_for_processes(plan_of(c, {})));
+  if (processes > 0) require_distributable(file, not_for_processes(plan_of(c, {})));
   std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
                                  c.formulation_reason);
   if (c.srif && c.srif->accuracy)

@@ -8,7 +8,7 @@ namespace cases {
 
 /// Estimates a run from samples, which write to a folder that is removed. Throws CaseError where no sample of up to
 /// 50,000 points can carry the case, and neither can the case itself.
-fracture::RunEstimate estimate_cost(const CaseFile& file);
+RunEstimate estimate_cost(const CaseFile& file);
 
 /// Names the other method of a motion, where the estimate is clearly less than these `seconds`; else "".
 std::string cheaper_way(const CaseFile& file, double seconds);

@@ -10,7 +10,7 @@
 
 #include "plate/model/errors.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 /// a + factor b
@@ -55,7 +55,7 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
 namespace {
 
 /// Finite number in a column of a row. Throws std::runtime_error where the table is damaged.
-double number_in(const char* file, const Table& table, const std::vector<Cell>& row, const char* column) {
+double number_in(const char* file, const post::Table& table, const std::vector<post::Cell>& row, const char* column) {
   if (std::ranges::find(table.columns, column) == table.columns.end())
     throw std::runtime_error(fmt::format("{}: there is no column {}", file, column));
   const auto* number = std::get_if<double>(&row[table.column(column)]);
@@ -67,7 +67,7 @@ double number_in(const char* file, const Table& table, const std::vector<Cell>& 
 /// The load factors of growth.csv and their estimated errors, relative, by advance.
 class LoadFactors {
 public:
-  explicit LoadFactors(const Table& growth) {
+  explicit LoadFactors(const post::Table& growth) {
     const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
     for (const auto& row : growth.rows) {
       if (!std::holds_alternative<double>(row[growth.column("load_factor")])) continue;  // one may have none
@@ -98,9 +98,9 @@ private:
 
 }  // namespace
 
-Table fatigue(const Table& growth, const Table& tip_table, const plate::Section& section, const ParisLaw& law,
-              double load, double ratio) {
-  const auto value = [&](const std::vector<Cell>& row, const char* name) {
+post::Table fatigue(const post::Table& growth, const post::Table& tip_table, const plate::Section& section,
+                    const ParisLaw& law, double load, double ratio) {
+  const auto value = [&](const std::vector<post::Cell>& row, const char* name) {
     return number_in("tips.csv", tip_table, row, name);
   };
   const LoadFactors load_factors(growth);
@@ -129,7 +129,7 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
     history.ranges.push_back((1 - ratio) * load * full);
     if (const auto error = load_factors.error(advance)) history.errors.push_back(*error * history.ranges.back());
   }
-  Table result{{"tip", "length", "K_range", "cycles", "K_range_error", "cycles_least", "cycles_most"}, {}};
+  post::Table result{{"tip", "length", "K_range", "cycles", "K_range_error", "cycles_least", "cycles_most"}, {}};
   for (const auto& [tip, history] : histories) {
     const auto found = cycles(law, history.lengths, history.ranges);
     std::vector<double> least, most;
@@ -137,7 +137,8 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
       least = cycles(law, history.lengths, sum(history.ranges, 1, history.errors)),
       most = cycles(law, history.lengths, sum(history.ranges, -1, history.errors));
     for (std::size_t i = 0; i < found.size(); ++i) {
-      result.rows.push_back({tip, history.lengths[i], history.ranges[i], found[i], Cell(), Cell(), Cell()});
+      result.rows.push_back(
+          {tip, history.lengths[i], history.ranges[i], found[i], post::Cell(), post::Cell(), post::Cell()});
       if (!least.empty()) {
         auto& row = result.rows.back();
         row[4] = history.errors[i], row[5] = least[i], row[6] = most[i];
@@ -149,4 +150,4 @@ Table fatigue(const Table& growth, const Table& tip_table, const plate::Section&
   return result;
 }
 
-}  // namespace post
+}  // namespace cases

@@ -4,7 +4,7 @@
 #include "plate/model/section.hpp"
 #include "post/files/table.hpp"
 
-namespace post {
+namespace cases {
 
 /// Paris and Erdogan (1963): da/dN = coefficient (range of K)^exponent above the threshold, none below. K is the stress
 /// intensity factor at the faces of the plate, K = sqrt(pi) 6 / h^2 times the moment intensity factor (whose lim
@@ -26,7 +26,7 @@ std::vector<double> cycles(const ParisLaw& law, const std::vector<double>& lengt
 /// K_range_error, cycles_least and cycles_most, empty where these are not known. The length of a crack with two tips is
 /// half of it at first, and grows by what the tip itself goes. K is that of mode 1 with the same energy,
 /// K^2 h / (3 E) = G. Throws std::runtime_error where no tip has moved.
-Table fatigue(const Table& growth, const Table& tips, const plate::Section& section, const ParisLaw& law, double load,
-              double ratio);
+post::Table fatigue(const post::Table& growth, const post::Table& tips, const plate::Section& section,
+                    const ParisLaw& law, double load, double ratio);
 
-}  // namespace post
+}  // namespace cases

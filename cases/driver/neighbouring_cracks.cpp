@@ -13,7 +13,7 @@
 #include "post/factors/tip_section.hpp"
 #include "post/files/table.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 double strain_energy(const plate::Problem& problem, plate::Analysis analysis) {
@@ -41,9 +41,9 @@ plate::Problem moved(plate::Problem problem, const geometry::Tip& tip, double st
 
 }  // namespace
 
-Table energy_check(const plate::Problem& problem, const plate::Analysis& analysis) {
+post::Table energy_check(const plate::Problem& problem, const plate::Analysis& analysis) {
   const auto paths = plate::crack_paths(problem);
-  Table table{{"tip", "x", "y", "step", "G", "K"}, {}};
+  post::Table table{{"tip", "x", "y", "step", "G", "K"}, {}};
   const auto tips = geometry::tips(paths);
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const auto& tip = tips[i];
@@ -59,11 +59,11 @@ Table energy_check(const plate::Problem& problem, const plate::Analysis& analysi
     const double G =
         (strain_energy(moved(problem, tip, step), analysis) - strain_energy(moved(problem, tip, -step), analysis)) /
         (2 * step);
-    const TipSection at(problem.section.at(tip.position), tip.direction);
+    const post::TipSection at(problem.section.at(tip.position), tip.direction);
     table.rows.push_back(
         {double(i), tip.position.x(), tip.position.y(), step, G, std::sqrt(std::max(G, 0.0) / at.unit_release()[0])});
   }
   return table;
 }
 
-}  // namespace post
+}  // namespace cases

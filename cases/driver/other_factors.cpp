@@ -46,16 +46,15 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
     Prepared prepared(std::move(coarse), *of_run.communicator);
     plate::Stopwatch stopwatch;
     const RunOptions options{{}, true, &unused, false, of_run.communicator};
-    fracture::Outputs outputs(plan_of(prepared.file.content, options),
-                              recording_of(prepared.file.content, options).recorder, stopwatch);
-    rows = factors_of(fracture::run_load_cases(prepared, outputs));
+    Outputs outputs(plan_of(prepared.file.content, options), recording_of(prepared.file.content, options).recorder,
+                    stopwatch);
+    rows = factors_of(run_load_cases(prepared, outputs));
     for (const auto& tip : prepared.tip_methods) works.push_back(tip.works());
   } else {
     const auto found = discretised(coarse, *of_run.communicator);
     const auto methods = tip_methods(coarse, *found.plate);
     rows.push_back(fracture::of_all(
-        *found.plate,
-        fracture::factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
+        *found.plate, factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
     for (const auto& tip : methods) works.push_back(tip.works());
   }
   for (const auto& row : rows) post::require_finite(row, "with twice the spacing");
@@ -66,10 +65,10 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
 std::vector<std::vector<post::Srif>> factors_of_run(const Prepared& prepared, const RunOptions& options) {
   const auto& content = prepared.file.content;
   plate::Stopwatch stopwatch = prepared.stopwatch;
-  fracture::Outputs outputs(plan_of(content, options), recording_of(content, options).recorder, stopwatch);
-  if (!content.load_cases.empty()) return factors_of(fracture::run_load_cases(prepared, outputs));
-  fracture::Results results(outputs, *prepared.plate, prepared.tip_methods);
-  fracture::run_once(prepared, results);
+  Outputs outputs(plan_of(content, options), recording_of(content, options).recorder, stopwatch);
+  if (!content.load_cases.empty()) return factors_of(run_load_cases(prepared, outputs));
+  Results results(outputs, *prepared.plate, prepared.tip_methods);
+  run_once(prepared, results);
   return results.factors().rows();
 }
 

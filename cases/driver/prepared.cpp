@@ -37,7 +37,7 @@ void require_memory(const CaseFile& file) {
   unless_refused(file, [&] { plate::require_memory(file.content); });
 }
 
-void require_distributable(const CaseFile& file, const std::vector<fracture::NotDistributable>& not_distributable) {
+void require_distributable(const CaseFile& file, const std::vector<NotDistributable>& not_distributable) {
   std::vector<Problem> problems;
   for (const auto& [key, why] : not_distributable) problems.push_back({file.place(key), key, why});
   if (!problems.empty()) throw CaseError(problems);
@@ -133,7 +133,7 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
     check_growing_tips(file, *plate, warnings);
     if (c.analysis.method == Analysis::Method::lanczos) resolve_free_motion(file, *plate);
     if (c.analysis.method == Analysis::Method::lanczos) {
-      steps = {0, unless_refused(file, [&] { return plate::row_grid(fracture::grid_options(plan_of(c, {}))); })};
+      steps = {0, unless_refused(file, [&] { return plate::row_grid(grid_options(plan_of(c, {}))); })};
     } else {
       const double free = plate::stable_time_step(*plate, c.analysis.rotary_inertia);
       const double limit = plate::stable_step(free, *plate, c.analysis, begin);
@@ -147,14 +147,14 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
     stopwatch.lap("solve");
   }
   if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
-    fracture::compare_under_pressure(*plate, c, warnings), stopwatch.lap("second_formulation");
+    compare_under_pressure(*plate, c, warnings), stopwatch.lap("second_formulation");
   tip_methods = cases::tip_methods(file, *plate);
   for (auto& one : post::warnings_about_ligaments(*plate)) warnings.push_back(std::move(one));
   stopwatch.lap("srif");
 }
 
 plate::TimeGrid time_grid(const CaseFile& file, double limit) {
-  const auto options = fracture::grid_options(plan_of(file.content, {}));
+  const auto options = grid_options(plan_of(file.content, {}));
   return unless_refused(file, [&] { return plate::time_grid(options, limit); });
 }
 

@@ -4,11 +4,9 @@
 #include "plate/formulation/discretised.hpp"
 #include "post/factors/tip_methods.hpp"
 
-namespace fracture {
-struct NotDistributable;
-}
-
 namespace cases {
+
+struct NotDistributable;
 
 /// The plate of a case, and what its user should know of it. Throws CaseError where the discretisation cannot carry the
 /// case, where the plate is not held in statics, in whole or in a piece that cracks cut off, and where it has fewer
@@ -19,7 +17,7 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
 void require_memory(const CaseFile& file);
 
 /// Throws CaseError where there is anything that processes cannot share.
-void require_distributable(const CaseFile& file, const std::vector<fracture::NotDistributable>& not_distributable);
+void require_distributable(const CaseFile& file, const std::vector<NotDistributable>& not_distributable);
 
 /// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
 /// Tips too near to an edge, a load or another crack for it: CaseError in statics, a warning in motion, where they
@@ -31,7 +29,7 @@ void check_growing_tips(const CaseFile& file, const plate::Formulation& plate, s
 std::vector<post::TipMethods> tip_methods(const CaseFile& file, const plate::Formulation& plate);
 
 /// A case with all that can be refused behind it. Stays where it is made.
-struct Prepared : fracture::ValidatedPlate {
+struct Prepared : ValidatedPlate {
   /// Throws CaseError.
   explicit Prepared(CaseFile wanted, const plate::Communicator& communicator = plate::single_process());
   Prepared(const Prepared&) = delete;

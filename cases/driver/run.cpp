@@ -37,8 +37,8 @@ struct PlateRun {
         results(outputs, *prepared.plate, prepared.tip_methods) {}
 
   plate::Stopwatch stopwatch;
-  fracture::Outputs outputs;
-  fracture::Results results;
+  Outputs outputs;
+  Results results;
 };
 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
@@ -47,11 +47,11 @@ post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   run.results.factors().known(std::move(rows));
   run.results.found(std::move(found));
   run.stopwatch.lap("output");
-  return fracture::run_once(*plate, run.results);
+  return run_once(*plate, run.results);
 }
 
 /// The plate as it has grown quasi-statically, a hundredth above the load that is there, and what it does then.
-CaseFile in_motion(CaseFile file, const fracture::QuasiStaticRun& run) {
+CaseFile in_motion(CaseFile file, const QuasiStaticRun& run) {
   Case& c = file.content;
   c.analysis.kind = Analysis::Kind::dynamic;
   c.analysis.method = Analysis::Method::central_difference;
@@ -68,11 +68,11 @@ CaseFile in_motion(CaseFile file, const fracture::QuasiStaticRun& run) {
 post::Summary grow(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
   CaseFile with_factors = file;
-  if (!c.growth->by_bonds()) with_factors.content.srif = fracture::factors_of_growth(c.srif);
+  if (!c.growth->by_bonds()) with_factors.content.srif = factors_of_growth(c.srif);
   auto found = discretised(with_factors, *options.communicator);
   check_growing_tips(file, *found.plate, found.warnings);
   tip_methods(with_factors, *found.plate);  // for what they refuse
-  fracture::QuasiStaticRun run(plan_of(c, options), std::move(found));
+  QuasiStaticRun run(plan_of(c, options), std::move(found));
   auto [recorder, checkpoints] = recording_of(c, options);
   const plate::StopOnSignals signals;
   auto summary = run(std::move(recorder), checkpoints.get());
@@ -83,7 +83,7 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
 }
 
 post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
-  if (!options.in_memory && options.communicator->rank() == 0) fracture::check_folder(options.folder);
+  if (!options.in_memory && options.communicator->rank() == 0) check_folder(options.folder);
   const Case& c = file.content;
   if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
   if (c.srif && c.srif->accuracy) return run_accurately(file, options);
@@ -95,8 +95,8 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     stopwatch.lap("second_formulation");
   }
   auto [recorder, checkpoints] = recording_of(prepared.file.content, options);
-  fracture::Outputs outputs(plan_of(prepared.file.content, options), std::move(recorder), stopwatch);
-  if (c.analysis.kind == Analysis::Kind::harmonic) return fracture::run_response(prepared, outputs);
+  Outputs outputs(plan_of(prepared.file.content, options), std::move(recorder), stopwatch);
+  if (c.analysis.kind == Analysis::Kind::harmonic) return run_response(prepared, outputs);
   const plate::StopOnSignals signals;
   stopwatch.lap("output");
   post::OtherFactors others;
@@ -110,10 +110,10 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     second.reset();
     stopwatch.lap("second_formulation");
   }
-  if (!c.load_cases.empty()) return fracture::run_load_cases(prepared, outputs, others);
-  fracture::Results results(outputs, *prepared.plate, prepared.tip_methods);
+  if (!c.load_cases.empty()) return run_load_cases(prepared, outputs, others);
+  Results results(outputs, *prepared.plate, prepared.tip_methods);
   results.factors().compare_with(std::move(others));
-  auto summary = fracture::run_once(prepared, results, checkpoints.get());
+  auto summary = run_once(prepared, results, checkpoints.get());
   if (checkpoints) checkpoints->done();
   return summary;
 }
@@ -123,13 +123,13 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
   if (const auto& all = *options.communicator; all.distributed())
-    require_distributable(file, fracture::not_for_processes(plan_of(c, options), all.size()));
+    require_distributable(file, not_for_processes(plan_of(c, options), all.size()));
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
-    if (auto done = fracture::done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
+    if (auto done = done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
   try {
     return run_in_folder(file, options);
-  } catch (const fracture::RefusedFolder& refused) {
-    const bool writes = refused.attempt() == fracture::RefusedFolder::Attempt::write;
+  } catch (const RefusedFolder& refused) {
+    const bool writes = refused.attempt() == RefusedFolder::Attempt::write;
     throw CaseError({{writes ? "--out" : "--resume", options.folder.string(), refused.what()}});
   } catch (const plate::NumericalError& failed) {
     throw plate::NumericalError(with_keys(failed.what()));
@@ -141,7 +141,7 @@ post::Table energy_check(const CaseFile& file) {
   if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
     throw CaseError(
         {{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case, of one load"}});
-  return unless_refused(file, [&] { return post::energy_check(c, c.analysis); });
+  return unless_refused(file, [&] { return energy_check(c, c.analysis); });
 }
 
 /// Says what of the growth is uncertain: its cycles are so too.
@@ -155,7 +155,7 @@ void say_doubts_of_growth(const std::filesystem::path& folder) {
       post::say(fmt::format("warning: {}\n", warning));
 }
 
-post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& law, double load, double ratio) {
+post::Table fatigue(const std::filesystem::path& folder, const ParisLaw& law, double load, double ratio) {
   const CaseFile file = read_case(folder / "case.resolved.toml", {});
   const Case& c = file.content;
   if (!c.growth || c.analysis.kind != Analysis::Kind::static_ || c.growth->by_bonds())
@@ -164,8 +164,8 @@ post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& l
                       "criterion = \"energy_release\""}});
   say_doubts_of_growth(folder);
   try {
-    return post::fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law,
-                         load, ratio);
+    return fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law, load,
+                   ratio);
   } catch (const plate::NumericalError&) {
     throw;
   } catch (const std::exception& error) {  // it reads and sums what the argument names, and does nothing else

@@ -7,7 +7,6 @@
 
 namespace post {
 struct ResultsInMemory;
-struct ParisLaw;
 struct Summary;
 struct Table;
 }  // namespace post
@@ -15,6 +14,7 @@ struct Table;
 namespace cases {
 
 struct CaseFile;
+struct ParisLaw;
 
 struct RunOptions {
   std::filesystem::path folder;  // results go here; made if it does not exist
@@ -35,13 +35,12 @@ post::Summary run(const CaseFile& file, const RunOptions& options);
 /// Throws CaseError or std::runtime_error.
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods);
 
-/// K of every tip from the energy of neighbouring crack lengths: post::energy_check. Throws CaseError where the case is
-/// not static.
+/// K of every tip from the energy of neighbouring crack lengths. Throws CaseError where the case is not static.
 post::Table energy_check(const CaseFile& file);
 
-/// Cycles against length of the cracks of a finished growth: post::fatigue. Throws CaseError where it is none of tips
-/// that grow quasi-statically.
-post::Table fatigue(const std::filesystem::path& folder, const post::ParisLaw& law, double load, double ratio);
+/// Cycles against length of the cracks of a finished growth. Throws CaseError where it is none of tips that grow
+/// quasi-statically.
+post::Table fatigue(const std::filesystem::path& folder, const ParisLaw& law, double load, double ratio);
 
 /// Writes report.html into the folder of a finished run again. Throws CaseError where it is no such folder.
 void report_again(const std::filesystem::path& folder);

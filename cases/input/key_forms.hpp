@@ -15,7 +15,7 @@
 namespace cases {
 
 using plate::Analysis;
-using Key = post::ManualKey;
+using Key = ManualKey;
 
 using Kinds = std::set<Analysis::Kind>;
 inline const Kinds any_kind{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::frequencies,

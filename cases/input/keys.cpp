@@ -138,7 +138,7 @@ void check_tips(const Case& content, Reading& reading) {
 }
 
 void check_load_cases(const Case& content, Reading& reading) {
-  for (const auto& [key, what] : fracture::errors_in_load_cases(content))
+  for (const auto& [key, what] : errors_in_load_cases(content))
     if (key == "combination" || reading.sound(key)) reading.report_error(key, what);
 }
 
@@ -158,14 +158,13 @@ void check_beside_analysis(const Case& content, Reading& reading) {
       if (!unread.contains(key)) reading.report_error(key, what);
   };
   const auto& [analysis, growth, srif] = std::tie(content.analysis, content.growth, content.srif);
-  if (growth && reading.sound("geometry"))
-    report_error(fracture::errors_in_growth(content, analysis, *growth, srif, given));
-  report_error(fracture::errors_in_accuracy(content, analysis, srif, content.formulation_reason));
+  if (growth && reading.sound("geometry")) report_error(errors_in_growth(content, analysis, *growth, srif, given));
+  report_error(errors_in_accuracy(content, analysis, srif, content.formulation_reason));
   report_error(by_keys(plate::errors_in_heat(content), content));
-  if (srif && reading.sound("section") && reading.sound("geometry")) report_error(fracture::errors_in_section(content));
-  report_error(fracture::errors_in_motion(content, analysis, growth.has_value(), given));
-  report_error(fracture::errors_in_response(content, analysis));
-  report_error(fracture::errors_in_beginning(content, analysis));
+  if (srif && reading.sound("section") && reading.sound("geometry")) report_error(errors_in_section(content));
+  report_error(errors_in_motion(content, analysis, growth.has_value(), given));
+  report_error(errors_in_response(content, analysis));
+  report_error(errors_in_beginning(content, analysis));
   report_error(excluded(content));
 }
 

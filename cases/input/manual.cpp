@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-namespace post {
+namespace cases {
 
 std::vector<KeyStep> steps(const std::string& key) {
   std::vector<KeyStep> result;
@@ -214,7 +214,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The words in quotation marks of a text.
-std::vector<std::string> quoted(const std::string& text) {
+std::vector<std::string> quoted_words(const std::string& text) {
   std::vector<std::string> result;
   const std::regex word("\"([^\"]*)\"");
   for (std::sregex_iterator i(text.begin(), text.end(), word), end; i != end; ++i) result.push_back((*i)[1]);
@@ -253,13 +253,14 @@ Json of_value(const std::string& text) {
   if (begins("[x, y]") || begins("[a, b]")) return numbers(2);
   if (begins("{ name = factor")) return {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
   if (begins("{ name")) return {{"type", "object"}, {"additionalProperties", numbers(2)}};
-  if (begins("a list of \"")) return list({{"enum", quoted(text)}});
+  if (begins("a list of \"")) return list({{"enum", quoted_words(text)}});
   if (begins("a list of") || begins("one name")) return list({{"type", "string"}});
-  if (begins("one of")) return {{"enum", quoted(text)}};
+  if (begins("one of")) return {{"enum", quoted_words(text)}};
   if (begins("true or false")) return {{"type", "boolean"}};
   if (begins("a string") || begins("an expression") || begins("letters")) return {{"type", "string"}};
-  if (text.find("table [[") != std::string::npos) return {{"anyOf", {{{"enum", quoted(text)}}, list(numbers(2))}}};
-  if (begins("\"")) return {{"anyOf", {{{"enum", quoted(text)}}, of_number(text)}}};
+  if (text.find("table [[") != std::string::npos)
+    return {{"anyOf", {{{"enum", quoted_words(text)}}, list(numbers(2))}}};
+  if (begins("\"")) return {{"anyOf", {{{"enum", quoted_words(text)}}, of_number(text)}}};
   return of_number(text);
 }
 
@@ -297,4 +298,4 @@ std::string schema(const std::string& title, const std::vector<ManualKey>& keys)
   return root.dump(indent) + "\n";
 }
 
-}  // namespace post
+}  // namespace cases

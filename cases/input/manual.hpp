@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace post {
+namespace cases {
 
 /// Step of a dotted key: a name in a table or an index in a list.
 using KeyStep = std::variant<std::string, std::size_t>;
@@ -62,4 +62,4 @@ std::optional<std::string> completion(const std::string& shell, const Program& p
 /// JSON schema (draft-07) of a case file: tables, types, bounds and words as the keys allow them.
 std::string schema(const std::string& title, const std::vector<ManualKey>& keys);
 
-}  // namespace post
+}  // namespace cases

@@ -212,8 +212,7 @@ namespace {
 
 constexpr char removal = '-';  // begins a setting that takes a key out
 
-using post::dotted;
-using Step = post::KeyStep;
+using Step = KeyStep;
 
 /// Puts a node at `step` of its parent; false where the parent has no such place.
 bool put(toml::node& parent, const Step& step, toml::node& value) {
@@ -253,7 +252,7 @@ toml::table parsed(const std::string& text) {
 
 /// Takes a key, or a table with all below it, out of the tree.
 void remove_key(toml::table& root, const std::string& typed, Reading& reading) {
-  const auto path = post::steps(typed);
+  const auto path = steps(typed);
   toml::node* parent = &root;
   for (std::size_t i = 0; i + 1 < path.size() && parent; ++i) parent = child(*parent, path[i]);
   if (path.empty() || !parent || !child(*parent, path.back())) {
@@ -272,7 +271,7 @@ void apply_override(toml::table& root, const std::string& setting, Reading& read
   if (setting.starts_with(removal)) return remove_key(root, setting.substr(1), reading);
   const auto equals = setting.find('=');
   const std::string typed = setting.substr(0, equals);
-  const auto path = post::steps(typed);
+  const auto path = steps(typed);
   if (equals == std::string::npos || path.empty()) {
     reading.report_error({"--set " + typed, dotted(path), fmt::format("{} given, must be key=value", quoted(setting))});
     return;

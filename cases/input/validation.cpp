@@ -18,7 +18,7 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/factors/srif.hpp"
 
-namespace fracture {
+namespace cases {
 
 using plate::Analysis;
 
@@ -81,7 +81,7 @@ std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const A
   const bool moves = analysis.kind == Analysis::Kind::dynamic, rests = analysis.start == Analysis::Start::equilibrium;
   for (std::size_t i = 0; i < problem.loads.size() && moves && !rests; ++i)
     if (const auto& load = problem.loads[i]; load.as<plate::Settlement>() && plate::factor(load.history, 0) != 0)
-      result.push_back({cases::key_of_load(problem, i) + ".history",
+      result.push_back({key_of_load(problem, i) + ".history",
                         "moves a support at once, which takes an energy without limit: let the history begin at 0, or "
                         "start in equilibrium"});
   const bool pushes = std::ranges::any_of(
@@ -165,18 +165,18 @@ std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const An
   using enum post::SrifMethod;
   for (const auto method : {virtual_crack_extension, domain_integral, series_fit})
     if (std::ranges::find(srif->methods, method) == srif->methods.end())
-      report_error(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", name_of(method)));
+      report_error(fmt::format("compares methods: add \"{}\" to srif.methods, or remove these", post::name_of(method)));
   return result;
 }
 
 namespace {
 
-using Asked = std::function<bool(const std::string&)>;
+using IsGiven = std::function<bool(const std::string&)>;
 using ReportError = std::function<void(const std::string& key, const std::string& what)>;
 
 /// Checks keys that only growth by single bonds has, and keys that only growth by tips has.
-void check_criterion(const Growth& growth, const Asked& given, const ReportError& report_error) {
-  using enum Growth::Criterion;
+void check_criterion(const fracture::Growth& growth, const IsGiven& given, const ReportError& report_error) {
+  using enum fracture::Growth::Criterion;
   const bool limits = growth.criterion == curvature_shear && (growth.critical_curvature || growth.critical_shear);
   if (!given("growth.fracture_energy") && !limits)
     report_error("growth.fracture_energy", "is missing, must be a number > 0");
@@ -194,8 +194,8 @@ void check_criterion(const Growth& growth, const Asked& given, const ReportError
 }
 
 /// Checks the keys of a growth that changes from rest to motion.
-void check_switch(const Growth& growth, const Asked& given, const ReportError& report_error) {
-  const bool moves = growth.unstable == Growth::Unstable::move;
+void check_switch(const fracture::Growth& growth, const IsGiven& given, const ReportError& report_error) {
+  const bool moves = growth.unstable == fracture::Growth::Unstable::move;
   if (!moves) {
     if (given("growth.duration")) report_error("growth.duration", "is of unstable = \"move\": remove it");
     return;
@@ -206,7 +206,8 @@ void check_switch(const Growth& growth, const Asked& given, const ReportError& r
 }
 
 /// Checks that the chosen method can solve the states between which bonds break one by one.
-void check_analysis(const Analysis& analysis, const Growth& growth, const ReportError& report_error) {
+void check_analysis_of_growth(const Analysis& analysis, const fracture::Growth& growth,
+                              const ReportError& report_error) {
   if (analysis.kind == Analysis::Kind::dynamic || !growth.by_bonds()) return;
   if (analysis.method != Analysis::Method::cg)
     report_error("analysis.method",
@@ -215,7 +216,7 @@ void check_analysis(const Analysis& analysis, const Growth& growth, const Report
     report_error("analysis.preconditioner", "bonds that break in a static case have one of their own; choose \"auto\"");
 }
 
-void check_cracks(const plate::Problem& problem, const Growth& growth, const ReportError& report_error) {
+void check_cracks(const plate::Problem& problem, const fracture::Growth& growth, const ReportError& report_error) {
   const auto paths = plate::crack_paths(problem);
   if (!growth.by_bonds() && geometry::tips(paths).empty())
     report_error("growth",
@@ -230,7 +231,7 @@ void check_cracks(const plate::Problem& problem, const Growth& growth, const Rep
                                                   plate::number_text(*growth.max_length), there));
 }
 
-void check_factors(const Growth& growth, const std::optional<post::SrifOptions>& srif,
+void check_factors(const fracture::Growth& growth, const std::optional<post::SrifOptions>& srif,
                    const ReportError& report_error) {
   const auto has = [&](post::SrifMethod method) {
     return std::ranges::find(srif->methods, method) != srif->methods.end();
@@ -244,12 +245,12 @@ void check_factors(const Growth& growth, const std::optional<post::SrifOptions>&
 }  // namespace
 
 std::vector<KeyError> errors_in_growth(const plate::Problem& problem, const plate::Analysis& analysis,
-                                       const Growth& growth, const std::optional<post::SrifOptions>& srif,
+                                       const fracture::Growth& growth, const std::optional<post::SrifOptions>& srif,
                                        const std::function<bool(const std::string&)>& given) {
   std::vector<KeyError> result;
   const auto report_error = [&](const std::string& key, const std::string& what) { result.push_back({key, what}); };
   check_criterion(growth, given, report_error);
-  check_analysis(analysis, growth, report_error);
+  check_analysis_of_growth(analysis, growth, report_error);
   if (analysis.kind == Analysis::Kind::static_) check_switch(growth, given, report_error);
   check_cracks(problem, growth, report_error);
   check_factors(growth, srif, report_error);
@@ -292,4 +293,4 @@ std::vector<KeyError> errors_in_section(const plate::Problem& problem) {
   return found;
 }
 
-}  // namespace fracture
+}  // namespace cases

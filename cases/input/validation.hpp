@@ -16,8 +16,10 @@ struct SrifOptions;
 }
 
 namespace fracture {
+struct Growth;
+}
 
-using cases::KeyError;
+namespace cases {
 
 /// Invalid keys of a motion: those that only time steps have, and those that only Lanczos vectors have. `given`: does
 /// the case state this key?
@@ -40,15 +42,13 @@ std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const pl
                                          const std::optional<post::SrifOptions>& srif,
                                          const std::string& formulation_reason);
 
-struct Growth;
-
 /// Invalid keys of a growth, beside the plate, its analysis and the factors that are wanted. `given`: does the case
 /// state this key?
 std::vector<KeyError> errors_in_growth(const plate::Problem& problem, const plate::Analysis& analysis,
-                                       const Growth& growth, const std::optional<post::SrifOptions>& srif,
+                                       const fracture::Growth& growth, const std::optional<post::SrifOptions>& srif,
                                        const std::function<bool(const std::string&)>& given);
 
 /// Sections that change about a tip whose factors are wanted.
 std::vector<KeyError> errors_in_section(const plate::Problem& problem);
 
-}  // namespace fracture
+}  // namespace cases

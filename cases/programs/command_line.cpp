@@ -25,9 +25,10 @@
 #include "post/report/printed.hpp"
 #include "post/report/terminal.hpp"
 
+namespace cases {
 namespace {
 
-constexpr auto about =
+constexpr auto description =
     "Intensity factors, fields, frequencies and growth of cracks in Mindlin plates, by peridynamics\n"
     "\n"
     "PDPlate reads a case (one TOML file: plate, cracks, supports, loads), computes the moment and shear\n"
@@ -41,7 +42,7 @@ struct Arguments {
   std::string file, folder, key, only, reference, plot, json, part;
   std::vector<std::string> settings, removed, methods, tolerances;
   std::optional<double> within;  // tolerance of all measures
-  post::ParisLaw law;
+  ParisLaw law;
   double load = 1, ratio = 0;
   int threads = 0, processes = 0;
   const plate::Communicator* communicator = &plate::single_process();
@@ -72,9 +73,9 @@ std::filesystem::path folder_of(const Arguments& a) {
 }
 
 int run_study(const Arguments& a) {
-  const auto study = cases::read_study(a.file);
-  const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again, post::part_of(a.part), a.merge});
-  if (!a.quiet && a.part.empty()) fmt::print("{}", post::printed_study(outcome.table, study.title, folder_of(a)));
+  const auto study = read_study(a.file);
+  const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again, part_of(a.part), a.merge});
+  if (!a.quiet && a.part.empty()) fmt::print("{}", printed_study(outcome.table, study.title, folder_of(a)));
   if (outcome.missing > 0) return interrupted;
   if (outcome.killed > 0) return failed_machine;
   if (outcome.failed_numbers > 0) return failed_numbers;
@@ -82,32 +83,32 @@ int run_study(const Arguments& a) {
 }
 
 int run_extremes(const Arguments& a) {
-  const auto extremes = cases::read_extremes(a.file);
+  const auto extremes = read_extremes(a.file);
   const auto folder = folder_of(a);
   const auto verdicts = cases::run_extremes(extremes, {folder, a.settings, a.only, a.quiet});
-  if (verdicts.empty()) throw cases::CaseError({{a.file, "--only", fmt::format("no row contains \"{}\"", a.only)}});
-  const auto missed = std::ranges::count(verdicts, false, &post::Verdict::holds);
+  if (verdicts.empty()) throw CaseError({{a.file, "--only", fmt::format("no row contains \"{}\"", a.only)}});
+  const auto missed = std::ranges::count(verdicts, false, &Verdict::holds);
   if (!a.quiet || missed > 0)
-    fmt::print("{}\n{}{} of {} oracles hold; {}", extremes.title, post::to_text(verdicts),
+    fmt::print("{}\n{}{} of {} oracles hold; {}", extremes.title, to_text(verdicts),
                verdicts.size() - std::size_t(missed), verdicts.size(), post::results_in(folder));
   return missed > 0 ? failed_numbers : done;
 }
 
 int compare(const Arguments& a) {
-  post::ComparedRun compared;
+  ComparedRun compared;
   try {
-    compared = post::compared(a.folder, a.reference, post::tolerances(a.tolerances, a.within));
+    compared = cases::compared(a.folder, a.reference, tolerances(a.tolerances, a.within));
   } catch (const std::exception& error) {  // it reads and compares what the arguments name, and does nothing else
-    throw cases::CaseError({{a.reference, "compare", error.what()}});
+    throw CaseError({{a.reference, "compare", error.what()}});
   }
-  fmt::print("{}", post::to_text(compared));
-  post::write(compared, a.plot, a.json);
+  fmt::print("{}", to_text(compared));
+  write(compared, a.plot, a.json);
   return compared.above.empty() ? done : beyond_tolerance;
 }
 
 /// A command, or the program without one, as the library of its arguments knows it.
-post::Program::Command described(const CLI::App& app) {
-  post::Program::Command result{app.get_name(), app.get_description(), {}, {}};
+Program::Command described(const CLI::App& app) {
+  Program::Command result{app.get_name(), app.get_description(), {}, {}};
   for (const auto* option : app.get_options()) {
     if (option->get_positional()) {
       result.arguments.push_back({option->get_name(), option->get_description(), option->get_required()});
@@ -124,14 +125,13 @@ post::Program::Command described(const CLI::App& app) {
 
 std::string own_pages(const CLI::App& app, const Arguments& a) {
   const auto all = described(app);
-  post::Program program{"pdplate", PDPLATE_VERSION, all.about.substr(0, all.about.find('\n')), all.options, {}};
+  Program program{"pdplate", PDPLATE_VERSION, all.about.substr(0, all.about.find('\n')), all.options, {}};
   for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
     program.commands.push_back(described(*command));
-  if (app.got_subcommand("manual")) return post::man_page(program, cases::keys());
-  const auto found = post::completion(a.key, program, cases::keys(), cases::template_names());
+  if (app.got_subcommand("manual")) return man_page(program, keys());
+  const auto found = completion(a.key, program, keys(), template_names());
   if (!found)
-    throw cases::CaseError(
-        {{"completion", a.key, fmt::format("\"{}\" given, must be one of \"bash\", \"fish\"", a.key)}});
+    throw CaseError({{"completion", a.key, fmt::format("\"{}\" given, must be one of \"bash\", \"fish\"", a.key)}});
   return *found;
 }
 
@@ -140,35 +140,34 @@ int execute(const CLI::App& app, Arguments& a) {
   if (a.communicator->rank() > 0 && !app.got_subcommand("run")) return done;
   omp_set_num_threads(plate::sensible_threads(a.threads > 0 ? a.threads : omp_get_max_threads()));
   if (app.got_subcommand("run")) {
-    const auto file = cases::read_case(a.file, overrides(a), a.communicator->distributed());
+    const auto file = read_case(a.file, overrides(a), a.communicator->distributed());
     const auto folder = folder_of(a);
-    const auto summary = cases::run(file, {folder, a.quiet, nullptr, a.resume, a.communicator});
+    const auto summary = run(file, {folder, a.quiet, nullptr, a.resume, a.communicator});
     if (!a.quiet)
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
-    fmt::print("{}", cases::cost(cases::read_case(a.file, overrides(a), a.processes > 0), a.processes));
+    fmt::print("{}", cost(read_case(a.file, overrides(a), a.processes > 0), a.processes));
   } else if (app.got_subcommand("new")) {
-    fmt::print("{}", a.key.empty() ? cases::template_menu() : cases::new_case(a.key, a.file));
+    fmt::print("{}", a.key.empty() ? template_menu() : new_case(a.key, a.file));
   } else if (app.got_subcommand("manual") || app.got_subcommand("completion")) {
     fmt::print("{}", own_pages(app, a));
   } else if (app.got_subcommand("keys") && a.pairs) {
-    fmt::print("{}", cases::exclusion_list());
+    fmt::print("{}", exclusion_list());
   } else if (app.got_subcommand("keys") && a.schema) {
-    fmt::print("{}", post::schema("A case of PDPlate", cases::keys()));
+    fmt::print("{}", schema("A case of PDPlate", keys()));
   } else if (app.got_subcommand("keys")) {
-    const auto lines = post::key_lines(cases::keys(), a.key);
-    if (lines.empty()) throw cases::CaseError({{"keys", a.key, "no key contains this; see pdplate keys"}});
+    const auto lines = key_lines(keys(), a.key);
+    if (lines.empty()) throw CaseError({{"keys", a.key, "no key contains this; see pdplate keys"}});
     fmt::print("{}", lines);
   } else if (app.got_subcommand("srif")) {
     const auto again = std::filesystem::path(a.folder) / "case.resolved.toml";
-    fmt::print("{}", post::csv_text(a.energy ? cases::energy_check(cases::read_case(again, {}))
-                                             : cases::srif_again(a.folder, a.methods)));
+    fmt::print("{}", post::csv_text(a.energy ? energy_check(read_case(again, {})) : srif_again(a.folder, a.methods)));
   } else if (app.got_subcommand("report")) {
-    cases::report_again(a.folder);
+    report_again(a.folder);
   } else if (app.got_subcommand("compare")) {
     return compare(a);
   } else if (app.got_subcommand("fatigue")) {
-    fmt::print("{}", post::csv_text(cases::fatigue(a.folder, a.law, a.load, a.ratio)));
+    fmt::print("{}", post::csv_text(fatigue(a.folder, a.law, a.load, a.ratio)));
   } else if (app.got_subcommand("study")) {
     return run_study(a);
   } else if (app.got_subcommand("extremes")) {
@@ -228,7 +227,7 @@ void add_many(CLI::App& app, Arguments& a) {
   add_threads(*study, a);
   auto* again = study->add_flag("--again", a.again, "make runs anew that are done already");
   study->add_option("--part", a.part, "make this share of the runs alone, and no tables: 3/16, the third of sixteen")
-      ->check(CLI::Validator(post::wrong_part, ""));
+      ->check(CLI::Validator(wrong_part, ""));
   study->add_flag("--merge", a.merge, "make no run: tables, plots and report of what parts have made")
       ->excludes("--part", again);
   study->add_flag("--quiet", a.quiet, "no lines on runs that succeed and no table");
@@ -253,7 +252,7 @@ int ended(const CLI::App& app, Arguments& a) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
       throw std::system_error(errno, std::generic_category(), "output");
     return code;
-  } catch (const cases::CaseError& error) {
+  } catch (const CaseError& error) {
     return said(error.what(), wrong_case);
   } catch (const plate::NumericalError& error) {
     return said(fmt::format("the numbers failed: {}", error.what()), failed_numbers);
@@ -272,10 +271,8 @@ int ended(const CLI::App& app, Arguments& a) {
 
 }  // namespace
 
-namespace cases {
-
 int command_line(int argc, char** argv, const plate::Communicator& communicator) {
-  CLI::App app(about);
+  CLI::App app(description);
   app.require_subcommand(1);
   app.set_version_flag("--version", "pdplate " PDPLATE_VERSION ", kernels " PDPLATE_KERNELS,
                        "print the version and exit");

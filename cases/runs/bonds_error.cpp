@@ -21,7 +21,7 @@
 #include "plate/solve/statics.hpp"
 #include "post/report/conclusion.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 constexpr double told_deflection = 0.01, told_stress = 0.05;
@@ -57,7 +57,7 @@ std::string because(const plate::Problem& problem, double share) {
                      problem.section.thickness / problem.discretization.spacing);
 }
 
-constexpr auto advice = "set formulation = \"galerkin\"";
+constexpr auto galerkin_advice = "set formulation = \"galerkin\"";
 
 /// The Galerkin plate of a problem of bonds, and its equilibrium under all loads.
 struct GalerkinWitness {
@@ -152,14 +152,14 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
   replace_estimates(bonds, warnings);
   const auto error = deflection_error(bonds, state, *witness);
   if (error && std::abs(error->share) > told_deflection)
-    warnings.push_back(
-        fmt::format("largest deflection of bonds is {} that of the Galerkin plate, at ({:.4g}, {:.4g}){}; {}",
-                    side_of(error->share), error->at.x(), error->at.y(), because(problem, error->share), advice));
+    warnings.push_back(fmt::format(
+        "largest deflection of bonds is {} that of the Galerkin plate, at ({:.4g}, {:.4g}){}; {}",
+        side_of(error->share), error->at.x(), error->at.y(), because(problem, error->share), galerkin_advice));
   const double right = largest_stress(*witness->plate, witness->state);
   const double share = right > 0 ? largest_stress(bonds, state) / right - 1 : 0;
   if (std::abs(share) > told_stress)
-    warnings.push_back(
-        fmt::format("largest von Mises stress of bonds is {} that of the Galerkin plate; {}", side_of(share), advice));
+    warnings.push_back(fmt::format("largest von Mises stress of bonds is {} that of the Galerkin plate; {}",
+                                   side_of(share), galerkin_advice));
 }
 
 void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
@@ -186,7 +186,7 @@ void compare_under_pressure(const plate::Formulation& bonds, const plate::Proble
   if (std::abs(error->share) > told_deflection)
     warnings.push_back(
         fmt::format("under static pressure largest deflection of bonds is {} that of the Galerkin plate{}; {}",
-                    side_of(error->share), because(problem, error->share), advice));
+                    side_of(error->share), because(problem, error->share), galerkin_advice));
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -9,7 +9,7 @@ class Formulation;
 struct Problem;
 }  // namespace plate
 
-namespace fracture {
+namespace cases {
 
 /// Replaces the estimated errors of deflections and stresses of bonds (plate::estimated_errors) by how far they are
 /// from those of the Galerkin plate with the same spacing. Nothing happens to plates that are not compared: those of
@@ -22,4 +22,4 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
 void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
                             std::vector<std::string>& warnings);
 
-}  // namespace fracture
+}  // namespace cases

@@ -13,7 +13,7 @@
 #include "plate/solve/archive.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 /// True where this rank saves all columns of a state: nothing is computed again, fictitious points neither.
@@ -173,4 +173,4 @@ void RunCheckpoints::write() {
   to_write_ = written_ - begin;
 }
 
-}  // namespace fracture
+}  // namespace cases

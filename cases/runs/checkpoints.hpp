@@ -13,7 +13,7 @@ namespace plate {
 struct Boundary;
 }
 
-namespace fracture {
+namespace cases {
 
 /// Values of the points that this rank saves, the columns of some states side by side: of the points of the plate that
 /// it owns; where one process holds the whole plate, of all points. An empty state is left out.
@@ -80,4 +80,4 @@ private:
   bool failed_ = false;
 };
 
-}  // namespace fracture
+}  // namespace cases

@@ -14,7 +14,7 @@
 #include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 using plate::Analysis;
@@ -91,7 +91,7 @@ std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_s
 }
 
 /// Advances of a quasi-static growth until the cracks are as long as they may be, or have crossed the plate.
-double advances_of(const plate::Problem& problem, const Growth& growth) {
+double advances_of(const plate::Problem& problem, const fracture::Growth& growth) {
   const auto [low, high] = geometry::bounding_box(problem.outline);
   double longest = 0;
   for (const auto& crack : problem.cracks)
@@ -387,4 +387,4 @@ std::string to_text(const ProcessesEstimate& processes, const SingleProcessRun& 
   return text;
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -9,7 +9,7 @@
 #include "plate/formulations.hpp"
 #include "post/report/cost_model.hpp"
 
-namespace fracture {
+namespace cases {
 
 /// Estimate of a run, from runs of samples: the same with fewer points.
 struct RunEstimate {
@@ -60,16 +60,6 @@ post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double 
 /// Points, bonds, the way to the solution and time, in words.
 std::string to_text(const RunEstimate& run, const RunPlan& plan);
 
-}  // namespace fracture
-
-namespace plate {
-struct Problem;
-}
-
-namespace fracture {
-
-struct RunPlan;
-
 /// Estimated share of each process in a plate that several share, from its outline; the numbers are of the process that
 /// has the most.
 struct ProcessesEstimate {
@@ -102,4 +92,4 @@ double seconds_of_processes(const ProcessesEstimate& processes, const SingleProc
 /// Points, memory, time and exchange, in words.
 std::string to_text(const ProcessesEstimate& processes, const SingleProcessRun& run);
 
-}  // namespace fracture
+}  // namespace cases

@@ -16,7 +16,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/reduction.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 /// Message of why the plate in twice the spacing has too few blocks or points for the ranks; empty where it has enough.
@@ -106,4 +106,4 @@ void count_all(post::Summary& summary, const plate::Formulation& plate) {
   summary.fictitious_points = std::size_t(counts[2]), summary.fictitious_bonds = std::size_t(counts[3]);
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -11,7 +11,7 @@ namespace plate {
 class Formulation;
 }
 
-namespace fracture {
+namespace cases {
 
 struct RunPlan;
 
@@ -25,4 +25,4 @@ std::vector<NotDistributable> not_for_processes(const RunPlan& plan, int process
 /// Counts points and bonds of all ranks, each by its owner; collective.
 void count_all(post::Summary& summary, const plate::Formulation& plate);
 
-}  // namespace fracture
+}  // namespace cases

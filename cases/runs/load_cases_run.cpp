@@ -12,6 +12,7 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -27,11 +28,11 @@
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 /// Loads of a load case or combination, and the state.
-struct Case {
+struct LoadCaseState {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
   plate::Heat heat;
@@ -40,7 +41,7 @@ struct Case {
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
 
-double folded_norm(const plate::Formulation& plate, const Case& one) {
+double folded_norm(const plate::Formulation& plate, const LoadCaseState& one) {
   auto pull = plate::PrescribedDisplacements(plate, one.load, one.lift).pull();
   plate.constraints().fold(pull);
   const auto [squared] = plate::ordered_sum<1>(plate, std::size_t(pull.size()), [&](std::size_t i) {
@@ -55,31 +56,21 @@ double largest_deflection(const post::LoadCaseSummary& one) {
 }
 
 /// Load cases and combinations as they are found.
-class LoadCases : public RunningAnalysis {
+class LoadCases : public PlateAnalysis {
 public:
   LoadCases(const ValidatedPlate& ready, Outputs& outputs, const post::OtherFactors& others)
-      : ready_(ready), plate_(*ready.plate), outputs_(outputs), others_(others) {
-    outputs.summary() = about(outputs.plan(), plate_, ready.warnings);
-    outputs.open(plate_);
-  }
+      : PlateAnalysis(ready, outputs), others_(others) {}
 
   void solve() override;
   void finish() override;
-  plate::NumericalError failed(const plate::NumericalError& error) override {
-    return placed(error, plate_, outputs_.summary());
-  }
 
 private:
-  void look(post::LoadCaseSummary one, const Case& now, std::size_t step);
-  Case loaded(std::size_t which) const;
-  void combine(const plate::Combination& combination, const std::vector<Case>& cases);
+  void look(post::LoadCaseSummary one, const LoadCaseState& now, std::size_t step);
+  LoadCaseState loaded(std::size_t which) const;
+  void combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
   std::vector<std::string> warnings() const;
-  const RunPlan& plan() const { return outputs_.plan(); }
 
-  const ValidatedPlate& ready_;
-  const plate::Formulation& plate_;
-  Outputs& outputs_;
   const post::OtherFactors& others_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
@@ -87,7 +78,7 @@ private:
 };
 
 /// Evaluates and records a state in equilibrium under a load.
-void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t step) {
+void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std::size_t step) {
   const auto& [load, lift, state, heat, less] = known;
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
@@ -110,7 +101,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
     one.reactions = reactions.summary();
   }
   if (plan().srif)
-    one.srif = of_all(plate_, post::srifs(plate_, *plan().srif, ready_.tip_methods, strained, true, &heat));
+    one.srif = fracture::of_all(plate_, post::srifs(plate_, *plan().srif, ready_.tip_methods, strained, true, &heat));
   others_.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
@@ -124,7 +115,7 @@ void LoadCases::look(post::LoadCaseSummary one, const Case& known, std::size_t s
     extremes.frame(number, frame.resultants);
     outputs_.frame(plate_, std::move(frame));
   }
-  one.extremes = of_all(plate_, extremes.found(&heat));
+  one.extremes = fracture::of_all(plate_, extremes.found(&heat));
   found_.push_back(std::move(one));
   const bool rests = !found_.back().of.empty() && post::is_zero(state, plate_);  // a combination that cancels
   if (!rests && !post::moves(state, work, plate_))
@@ -171,22 +162,21 @@ std::vector<std::string> LoadCases::warnings() const {
 }
 
 void LoadCases::solve() {
-  auto& summary = outputs_.summary();
-  auto& stopwatch = outputs_.stopwatch();
+  auto& summary = this->summary();
   const auto& problem = plate_.problem();
   const auto& analysis = plan().analysis;
   post::Progress progress(plan().quiet, "load cases");
   plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
-  std::vector<Case> cases;
+  std::vector<LoadCaseState> cases;
   plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
   all.converged = true;
   for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
     const auto& name = problem.load_cases[i].name;
-    Case now = loaded(i);
+    LoadCaseState now = loaded(i);
     auto result = solver(now.load, {analysis.tolerance, analysis.max_iterations, {}}, i + 1 < problem.load_cases.size(),
                          now.lift);
     auto& solution = result.solution;
-    stopwatch.lap("solve");
+    stopwatch().lap("solve");
     all.iterations += solution.iterations, all.residual = std::max(all.residual, solution.residual);
     all.stop_reason = solution.stop_reason;
     summary.analysis.preconditioner = result.preconditioner;
@@ -198,20 +188,20 @@ void LoadCases::solve() {
                                               solution.stop_reason, solution.residual, analysis.tolerance));
     now.state = std::move(solution.state), now.strained = std::move(result.strained);
     look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
-    stopwatch.lap("srif");
+    stopwatch().lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
     if (!problem.combinations.empty()) cases.push_back(std::move(now));
   }
   for (const auto& one : problem.combinations) {
     plate::stop_if_asked("combinations", plate_.constraints());
     combine(one, cases);
-    stopwatch.lap("srif");
+    stopwatch().lap("srif");
   }
   progress.done();
 }
 
-Case LoadCases::loaded(std::size_t which) const {
-  Case result{plate::zero_forces(plate_.points()), plate::no_state(), {}, {}};
+LoadCaseState LoadCases::loaded(std::size_t which) const {
+  LoadCaseState result{plate::zero_forces(plate_.points()), plate::no_state(), {}, {}};
   std::vector<double> shares(plate_.loads().size(), 0);
   std::vector<plate::Forces> acting;
   for (const auto k : plate::loads_of(plate_.problem(), which)) {
@@ -226,12 +216,12 @@ Case LoadCases::loaded(std::size_t which) const {
 }
 
 /// `cases`: the load cases. A combination whose loads cancel to rounding is the plate at rest.
-void LoadCases::combine(const plate::Combination& combination, const std::vector<Case>& cases) {
+void LoadCases::combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   constexpr double rounding = 1e-12;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const auto zero = plate::zero_state(plate_.points());
   const plate::State of_supports = plate::has_prescribed_displacements(plate_) ? zero : plate::no_state();
-  Case sum{zero, of_supports, zero, {}, of_supports};
+  LoadCaseState sum{zero, of_supports, zero, {}, of_supports};
   double largest = 0, residual = 0;  // of the parts: load, and at most what is left of it
   for (std::size_t i = 0; i < factors.size(); ++i) {
     sum.state += factors[i] * cases[i].state, sum.load += factors[i] * cases[i].load;
@@ -256,7 +246,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
 void LoadCases::finish() {
   const auto& section = plate_.section();
   auto& recorder = outputs_.recorder();
-  auto& summary = outputs_.summary();
+  auto& summary = this->summary();
   summary.envelope = post::envelope(found_);
   if (plan().srif) {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
@@ -287,4 +277,4 @@ post::Summary run_load_cases(const ValidatedPlate& ready, Outputs& outputs, cons
   return carry_out(analysis, outputs);
 }
 
-}  // namespace fracture
+}  // namespace cases

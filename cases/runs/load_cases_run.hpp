@@ -2,7 +2,7 @@
 #include "post/files/factor_rows.hpp"
 #include "post/files/summary.hpp"
 
-namespace fracture {
+namespace cases {
 
 class Outputs;
 struct ValidatedPlate;
@@ -12,4 +12,4 @@ struct ValidatedPlate;
 /// Throws as carry_out().
 post::Summary run_load_cases(const ValidatedPlate& ready, Outputs& outputs, const post::OtherFactors& others = {});
 
-}  // namespace fracture
+}  // namespace cases

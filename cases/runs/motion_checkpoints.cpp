@@ -10,7 +10,7 @@
 #include "plate/solve/archive.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 
-namespace fracture {
+namespace cases {
 
 void MotionCheckpoints::checkpoint_to(RunCheckpoints& checkpoints, plate::DynamicOptions& options) {
   options.due = [&] { return plate::largest_of(plate_, checkpoints.due()) > 0; };
@@ -51,4 +51,4 @@ bool MotionCheckpoints::restore(RunCheckpoints& checkpoints) {
   return true;
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -2,15 +2,18 @@
 #include "plate/solve/motion/dynamics.hpp"
 
 namespace fracture {
-
 class MovingGrowth;
+}
+
+namespace cases {
+
 class Results;
 class RunCheckpoints;
 
 /// Checkpoints of a motion by steps: saves its state and continues from it. All that is given must outlive it.
 class MotionCheckpoints {
 public:
-  MotionCheckpoints(const plate::Formulation& plate, Results& results, MovingGrowth* growth)
+  MotionCheckpoints(const plate::Formulation& plate, Results& results, fracture::MovingGrowth* growth)
       : plate_(plate), results_(results), growth_(growth) {}
 
   /// Makes the motion keep checkpoints, and go on from the one that was found.
@@ -22,8 +25,8 @@ private:
 
   const plate::Formulation& plate_;
   Results& results_;
-  MovingGrowth* growth_;
+  fracture::MovingGrowth* growth_;
   plate::MotionCheckpoint memory_;  // to go on from
 };
 
-}  // namespace fracture
+}  // namespace cases

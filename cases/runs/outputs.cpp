@@ -15,7 +15,7 @@
 #include "post/report/cost_model.hpp"
 #include "post/report/html_report.hpp"
 
-namespace fracture {
+namespace cases {
 
 post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings) {
   auto summary = post::about(plate, plan.analysis, {plan.srif.has_value(), plan.fields});
@@ -109,7 +109,7 @@ namespace {
 
 /// Puts keys in the place of the settings that messages of the folders below name.
 void name_settings_by_keys(post::Summary& summary) {
-  const auto name = [](std::string& message) { message = cases::with_keys(message); };
+  const auto name = [](std::string& message) { message = with_keys(message); };
   std::ranges::for_each(summary.warnings, name);
   name(summary.outcome), name(summary.analysis.stop_reason);
   if (summary.growth) name(summary.growth->outcome);
@@ -124,6 +124,16 @@ post::Summary Outputs::finish() {
   if (plan_.report && recorder_.on_first_process())
     post::write_report(*plan_.report, {plan_.problem, plan_.title, plan_.source, plan_.units, plan_.probes}, pictures_);
   return summary_;
+}
+
+PlateAnalysis::PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs)
+    : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
+  summary() = about(plan(), plate_, ready.warnings);
+  outputs.open(plate_);
+}
+
+plate::NumericalError PlateAnalysis::failed(const plate::NumericalError& error) {
+  return placed(error, plate_, summary());
 }
 
 post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs) {
@@ -149,4 +159,4 @@ post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs) {
   return end("done", {});
 }
 
-}  // namespace fracture
+}  // namespace cases

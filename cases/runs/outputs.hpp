@@ -15,7 +15,7 @@ class NumericalError;
 class Stopwatch;
 }  // namespace plate
 
-namespace fracture {
+namespace cases {
 
 class OwnedMesh;
 
@@ -96,8 +96,26 @@ public:
   virtual void interrupted() {}
 };
 
+/// An analysis of a plate that is made once.
+class PlateAnalysis : public RunningAnalysis {
+public:
+  plate::NumericalError failed(const plate::NumericalError& error) override;
+
+protected:
+  /// Begins the summary, and opens the outputs. Both must outlive this.
+  PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs);
+
+  const RunPlan& plan() const { return outputs_.plan(); }
+  post::Summary& summary() { return outputs_.summary(); }
+  plate::Stopwatch& stopwatch() { return outputs_.stopwatch(); }
+
+  const ValidatedPlate& ready_;
+  const plate::Formulation& plate_;
+  Outputs& outputs_;
+};
+
 /// Solves and writes everything. Of a run that fails or is interrupted all that there is is written too, before that is
 /// thrown on.
 post::Summary carry_out(RunningAnalysis& analysis, Outputs& outputs);
 
-}  // namespace fracture
+}  // namespace cases

@@ -7,7 +7,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 using geometry::Point;
@@ -15,9 +15,9 @@ using geometry::Point;
 constexpr auto none = std::uint32_t(-1);
 
 /// A part of a mesh, with numbers of its own.
-class Part {
+class MeshPart {
 public:
-  explicit Part(const plate::Mesh& whole)
+  explicit MeshPart(const plate::Mesh& whole)
       : whole_(whole), number_(whole.positions.size() + whole.corners.size(), none) {
     mesh.spacing = whole.spacing, mesh.thickness = whole.thickness;
   }
@@ -82,7 +82,7 @@ void fetch(const plate::Formulation& plate, Rows&& values) {
 OwnedMesh::OwnedMesh(const plate::Formulation& plate) : OwnedMesh(plate, plate.mesh()) {}
 
 OwnedMesh::OwnedMesh(const plate::Formulation& plate, const plate::Mesh& whole) : plate_(plate) {
-  Part part(whole);
+  MeshPart part(whole);
   for (std::uint32_t k = 0; k < plate.cloud().plate_points; ++k)
     if (plate.boundary().owns(k)) part.take(k);
   own_ = part.points.size();
@@ -130,4 +130,4 @@ post::Frame OwnedMesh::frame(post::Frame seen) const {
   return result;
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -9,7 +9,7 @@ namespace plate {
 class Formulation;
 }
 
-namespace fracture {
+namespace cases {
 
 /// Part of a distributed plate that one rank draws and stores: the points that it owns, and the cells about them, with
 /// the values of the ghosts that these cells have.
@@ -39,4 +39,4 @@ private:
 /// Mesh of the owned points; nothing where one process holds the whole plate.
 std::unique_ptr<OwnedMesh> owned_mesh(const plate::Formulation& plate, const plate::Mesh& whole);
 
-}  // namespace fracture
+}  // namespace cases

@@ -19,7 +19,7 @@
 #include "post/report/overlaps.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 
 post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& asked) {
   post::SrifOptions standard;
@@ -33,12 +33,12 @@ QuasiStaticRun::QuasiStaticRun(const RunPlan& plan, plate::Discretised first)
   const plate::StaticOptions statics{analysis.tolerance, analysis.max_iterations, {}};
   if (growth_.by_bonds()) {
     start_ = std::move(first.plate);
-    bonds_ = std::make_unique<QuasiStaticBonds>(growth_, *start_, plan_.srif, statics);
+    bonds_ = std::make_unique<fracture::QuasiStaticBonds>(growth_, *start_, plan_.srif, statics);
     model_ = bonds_.get();
   } else {
-    const StaticSolver solver{analysis.static_method(), analysis.preconditioner, statics};
-    tips_ = std::make_unique<GrowingPlate>(growth_, plan_.problem, std::move(first), factors_of_growth(plan_.srif),
-                                           solver, stopwatch_);
+    const fracture::StaticSolver solver{analysis.static_method(), analysis.preconditioner, statics};
+    tips_ = std::make_unique<fracture::GrowingPlate>(growth_, plan_.problem, std::move(first),
+                                                     factors_of_growth(plan_.srif), solver, stopwatch_);
     model_ = tips_.get();
   }
 }
@@ -57,8 +57,8 @@ post::Summary QuasiStaticRun::operator()(post::Recorder recorder, RunCheckpoints
 
 void QuasiStaticRun::solve() {
   post::Progress progress(plan_.quiet, "growth");
-  QuasiStaticLoad load(growth_.control);
-  const auto see = [&](const Equilibrium& now) {
+  fracture::QuasiStaticLoad load(growth_.control);
+  const auto see = [&](const fracture::Equilibrium& now) {
     stopwatch_.lap("solve");
     observe(now);
     stopwatch_.lap("output");
@@ -68,23 +68,23 @@ void QuasiStaticRun::solve() {
         double(now.advance) / double(growth_.max_advances),
         fmt::format("advance {}, load factor {:.4g}, crack length {:.4g}", now.advance, now.factor, length));
   };
-  outcome_ =
-      grow_quasi_statically(growth_, *model_, see, checkpoints_ ? continuation(*checkpoints_, load) : Continuation{});
+  outcome_ = fracture::grow_quasi_statically(
+      growth_, *model_, see, checkpoints_ ? continuation(*checkpoints_, load) : fracture::Continuation{});
   progress.done();
 }
 
 plate::NumericalError QuasiStaticRun::failed(const plate::NumericalError& error) {
   const auto result = error.point ? placed(error, model_->plate(), {}) : error;  // without one, there may be no plate
-  outcome_.ended = {End::failed, result.what()};
+  outcome_.ended = {fracture::End::failed, result.what()};
   return result;
 }
 
 void QuasiStaticRun::interrupted() {
-  outcome_.ended = {End::interrupted, {}};
+  outcome_.ended = {fracture::End::interrupted, {}};
   write_held(checkpoints_);
 }
 
-void QuasiStaticRun::observe(const Equilibrium& now) {
+void QuasiStaticRun::observe(const fracture::Equilibrium& now) {
   const auto& plate = model_->plate();
   const auto time = double(now.advance);
   advance_ = now.advance, factor_ = now.factor;
@@ -127,7 +127,7 @@ void QuasiStaticRun::memory(Archive& archive) {
 }
 
 /// `load`: to go on from.
-Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, QuasiStaticLoad& load) {
+fracture::Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, fracture::QuasiStaticLoad& load) {
   auto* const points = model_->of_points();
   const bool goes_on = checkpoints.restore([&](plate::InArchive& archive) {
     archive(load);
@@ -140,7 +140,7 @@ Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, QuasiStat
     put_values(model_->plate().boundary(), checkpoints.parts(), {{points, complete}});
   }
   if (goes_on) state_ = factor_ * model_->state();
-  const auto hold = [this, &checkpoints, points](const QuasiStaticLoad& now) {
+  const auto hold = [this, &checkpoints, points](const fracture::QuasiStaticLoad& now) {
     const auto save_state = [&](plate::OutArchive& archive) {
       archive(now);
       outputs_->save(archive);
@@ -182,7 +182,7 @@ void QuasiStaticRun::store() {
 
 post::GrowthSummary QuasiStaticRun::growth_summary() const {
   post::GrowthSummary growth;
-  growth.outcome = in_words(outcome_.ended, growth_.by_bonds());
+  growth.outcome = fracture::in_words(outcome_.ended, growth_.by_bonds());
   growth.advances = model_->advances();
   growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
   growth.largest_load_factor = largest_factor_;
@@ -199,7 +199,7 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
 void QuasiStaticRun::finish() {
   constexpr double much = 0.03;  // as of factors
   record();
-  if (outcome_.ended.how == End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
+  if (outcome_.ended.how == fracture::End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
   const bool solved = state_.cols() > 0;  // else there may be no plate
   if (solved && doubt_ > much)
     warnings_.push_back(fmt::format("load factors are uncertain: by {} at advance {} (critical_load_factor_error); {}",
@@ -231,4 +231,4 @@ void QuasiStaticRun::finish() {
                     {"released", energies.released()}};
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -6,10 +6,13 @@
 #include "post/report/reactions.hpp"
 
 namespace fracture {
-
 class GrowingPlate;
-class RunCheckpoints;
 class QuasiStaticBonds;
+}  // namespace fracture
+
+namespace cases {
+
+class RunCheckpoints;
 
 /// Returns the requested options, or, where no intensity factors are requested, the methods that give the energy
 /// release rate.
@@ -31,36 +34,36 @@ public:
   void interrupted() override;
 
   // of the end
-  const QuasiStaticOutcome& outcome() const { return outcome_; }
+  const fracture::QuasiStaticOutcome& outcome() const { return outcome_; }
   double load_factor() const { return factor_; }
   std::vector<geometry::Polyline> cracks() const;
 
 private:
-  Continuation continuation(RunCheckpoints& checkpoints, QuasiStaticLoad& load);
+  fracture::Continuation continuation(RunCheckpoints& checkpoints, fracture::QuasiStaticLoad& load);
   static void write_held(RunCheckpoints* checkpoints);
   template <typename Archive>
   void memory(Archive& archive);
-  void observe(const Equilibrium& now);
+  void observe(const fracture::Equilibrium& now);
   void frame();
   void record();
   void store();
   post::GrowthSummary growth_summary() const;
 
   RunPlan plan_;
-  const Growth& growth_;
+  const fracture::Growth& growth_;
   plate::Stopwatch stopwatch_;
   std::vector<std::string> warnings_;
   std::unique_ptr<plate::Formulation> start_;  // of bonds
-  std::unique_ptr<GrowingPlate> tips_;
-  std::unique_ptr<QuasiStaticBonds> bonds_;
-  QuasiStaticModel* model_ = nullptr;
+  std::unique_ptr<fracture::GrowingPlate> tips_;
+  std::unique_ptr<fracture::QuasiStaticBonds> bonds_;
+  fracture::QuasiStaticModel* model_ = nullptr;
   std::optional<Outputs> outputs_;
   RunCheckpoints* checkpoints_ = nullptr;
   post::ReactionRows reactions_;
   post::Table srifs_{post::srif_columns(), {}};
   std::vector<post::Srif> latest_;
   plate::State state_;  // of the last advance
-  QuasiStaticOutcome outcome_;
+  fracture::QuasiStaticOutcome outcome_;
   std::size_t advance_ = 0;  // its number
   double factor_ = 0, largest_factor_ = 0;
   double doubt_ = 0;                                  // largest estimated error of a load factor, relative
@@ -69,4 +72,4 @@ private:
   bool framed_ = true;
 };
 
-}  // namespace fracture
+}  // namespace cases

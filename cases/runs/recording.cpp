@@ -13,7 +13,7 @@
 #include "post/report/quantity.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 using enum RefusedFolder::Attempt;
@@ -97,4 +97,4 @@ Recording recording(const RecordingOptions& options) {
   return {{std::move(sink), options.resolved, options.version, post::ProcessesOfRun(all)}, std::move(checkpoints)};
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -8,7 +8,7 @@
 #include "cases/runs/checkpoints.hpp"
 #include "post/files/recorder.hpp"
 
-namespace fracture {
+namespace cases {
 
 /// A folder that a run cannot write to, or cannot go on in.
 class RefusedFolder : public std::runtime_error {
@@ -49,4 +49,4 @@ struct Recording {
 /// has a checkpoint and nothing continues from it.
 Recording recording(const RecordingOptions& options);
 
-}  // namespace fracture
+}  // namespace cases

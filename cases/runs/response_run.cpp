@@ -22,34 +22,24 @@
 #include "post/report/response.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 /// The response as it is found.
-class ResponseRun : public RunningAnalysis {
+class ResponseRun : public PlateAnalysis {
 public:
   ResponseRun(const ValidatedPlate& ready, Outputs& outputs)
-      : ready_(ready), plate_(*ready.plate), outputs_(outputs), reactions_(plate_, *outputs.plan().analysis.damping) {
-    outputs.summary() = about(plan(), plate_, ready.warnings);
-    outputs.open(plate_);
-  }
+      : PlateAnalysis(ready, outputs), reactions_(plate_, *plan().analysis.damping) {}
 
   void solve() override;
   void finish() override;
-  plate::NumericalError failed(const plate::NumericalError& error) override {
-    return placed(error, plate_, outputs_.summary());
-  }
 
 private:
   plate::HarmonicResponse response(post::Progress& progress) const;
   void look(double frequency, const std::pair<plate::State, plate::State>& parts);
   std::vector<post::Srif> factors(const plate::State& state, const plate::Heat& heat) const;
   void draw_period(double frequency, const std::pair<plate::State, plate::State>& parts);
-  const RunPlan& plan() const { return outputs_.plan(); }
 
-  const ValidatedPlate& ready_;
-  const plate::Formulation& plate_;
-  Outputs& outputs_;
   post::HarmonicReactions reactions_;
   std::vector<post::Response> found_;
   std::vector<std::vector<double>>
@@ -117,12 +107,11 @@ void ResponseRun::draw_period(double frequency, const std::pair<plate::State, pl
 }
 
 void ResponseRun::solve() {
-  auto& summary = outputs_.summary();
-  auto& stopwatch = outputs_.stopwatch();
+  auto& summary = this->summary();
   post::Progress progress(plan().quiet, "response");
   const auto response = this->response(progress);
   const auto& frequencies = response.frequencies();
-  stopwatch.lap("solve");
+  stopwatch().lap("solve");
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = plan().analysis.tolerance;
   summary.analysis.iterations = response.vectors();
@@ -136,11 +125,11 @@ void ResponseRun::solve() {
     if (const double w = largest_deflection(parts, plate_.cloud().plate_points); w > largest_)
       largest_ = w, where_ = frequencies[i];
     progress.update(0.5 + 0.5 * double(i + 1) / double(frequencies.size()), fmt::format("f = {:.4g}", frequencies[i]));
-    stopwatch.lap("srif");
+    stopwatch().lap("srif");
   }
   draw_period(where_, response.at(std::size_t(std::ranges::find(frequencies, where_) - frequencies.begin())));
   progress.done();
-  stopwatch.lap("output");
+  stopwatch().lap("output");
   summary.resonances = response.resonances();
   summary.analysis.stop_reason =
       fmt::format("{} frequencies, {} Lanczos vectors", frequencies.size(), response.vectors());
@@ -148,7 +137,7 @@ void ResponseRun::solve() {
 
 void ResponseRun::finish() {
   const auto& section = plate_.section();
-  auto& summary = outputs_.summary();
+  auto& summary = this->summary();
   if (largest_ >= 0) {
     summary.response = post::largest_responses(found_, section.thickness);
     summary.response.push_back({"plate", "w", largest_, where_, {}});
@@ -170,4 +159,4 @@ post::Summary run_response(const ValidatedPlate& ready, Outputs& outputs) {
   return carry_out(analysis, outputs);
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -1,7 +1,7 @@
 #pragma once
 #include "post/files/summary.hpp"
 
-namespace fracture {
+namespace cases {
 
 class Outputs;
 struct ValidatedPlate;
@@ -11,4 +11,4 @@ struct ValidatedPlate;
 /// largest. Throws as carry_out().
 post::Summary run_response(const ValidatedPlate& ready, Outputs& outputs);
 
-}  // namespace fracture
+}  // namespace cases

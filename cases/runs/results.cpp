@@ -11,6 +11,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -19,7 +20,7 @@
 #include "post/report/curves.hpp"
 #include "post/report/overlaps.hpp"
 
-namespace fracture {
+namespace cases {
 
 Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods)
     : outputs_(outputs),
@@ -29,9 +30,7 @@ Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::v
       reactions_(plate, plan().analysis.rotary_inertia, plan().analysis.method == plate::Analysis::Method::lanczos,
                  plan().analysis.damping.value_or(plate::Damping{}).mass),
       extremes_(plate),
-      energy_balance_(plan().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {
-  outputs_.open(plate);
-}
+      energy_balance_(plan().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {}
 
 void Results::sample(const plate::Instant& now, bool last) {
   const auto heat = plate::heat_at(plate_, now.time);
@@ -61,9 +60,9 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
-    if (growth_) return of_all(plate_, growth_->factors(now.state));
+    if (growth_) return fracture::of_all(plate_, growth_->factors(now.state));
     if (!plan().srif || factors_.known()) return {};
-    return of_all(plate_, post::srifs(plate_, *plan().srif, tip_methods_, now.what_strains(), last, &heat));
+    return fracture::of_all(plate_, post::srifs(plate_, *plan().srif, tip_methods_, now.what_strains(), last, &heat));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
@@ -110,11 +109,16 @@ post::Cracks Results::finish_growth() {
   recorder.table("tips", record.tips);
   recorder.table("cracks", record.crack_table());
   const auto outcome = growth_->outcome();
-  summary.growth =
-      post::GrowthSummary{in_words(outcome), outcome.advances, {}, {}, outcome.spent, outcome.largest_speed,
-                          outcome.broken,    outcome.lengths};
-  outputs_.warn(warnings_about_spent_energy(*plan().growth, outcome, plan().problem.section, remedy()));
-  outputs_.warn(warnings_about_directions(outcome, remedy()));
+  summary.growth = post::GrowthSummary{fracture::in_words(outcome),
+                                       outcome.advances,
+                                       {},
+                                       {},
+                                       outcome.spent,
+                                       outcome.largest_speed,
+                                       outcome.broken,
+                                       outcome.lengths};
+  outputs_.warn(fracture::warnings_about_spent_energy(*plan().growth, outcome, plan().problem.section, remedy()));
+  outputs_.warn(fracture::warnings_about_directions(outcome, remedy()));
   outputs_.warn(record.cut_places(plan().problem));
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
@@ -145,7 +149,8 @@ void Results::finish() {
   summary.accuracy = accuracy_;
   summary.frequencies = frequencies_;
   post::conclude(summary, {section, plan().srif, plan().si(), history, reactions_, factors_.last()});
-  if (!growth_) post::look_for_largest(summary, section, of_all(plate_, extremes_.found()), times_, factors_.rows());
+  if (!growth_)
+    post::look_for_largest(summary, section, fracture::of_all(plate_, extremes_.found()), times_, factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   outputs_.warn(post::left_out(plate_.tips(), tip_methods_));
@@ -169,7 +174,7 @@ void Results::memory(Archive& archive) {
 void Results::save(plate::OutArchive& archive) {
   outputs_.save(archive);
   const auto own = extremes_.so_far();
-  extremes_.so_far(of_all(plate_, own));
+  extremes_.so_far(fracture::of_all(plate_, own));
   memory(archive);
   extremes_.so_far(own);
 }
@@ -179,4 +184,4 @@ void Results::restore(plate::InArchive& archive) {
   memory(archive);
 }
 
-}  // namespace fracture
+}  // namespace cases

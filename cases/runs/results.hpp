@@ -12,10 +12,12 @@ struct Mode;
 }  // namespace plate
 
 namespace fracture {
-
 class MovingGrowth;
+}
 
-/// What is found of one plate at rest, in motion or by its frequencies, for the outputs of its run: rows, factors and
+namespace cases {
+
+/// Results of one plate at rest, in motion or by its frequencies, for the outputs of its run: rows, factors and
 /// frames as the solver goes, then the tables.
 class Results {
 public:
@@ -25,7 +27,7 @@ public:
   Outputs& outputs() { return outputs_; }
   const RunPlan& plan() const { return outputs_.plan(); }
   /// The growth of the run, which must outlive it.
-  void grows(MovingGrowth& growth) { growth_ = &growth; }
+  void grows(fracture::MovingGrowth& growth) { growth_ = &growth; }
   /// Stores the summary of the search for the discretisation.
   void found(post::AccuracySummary accuracy) { accuracy_ = std::move(accuracy); }
   post::FactorRows& factors() { return factors_; }
@@ -73,7 +75,7 @@ private:
   std::optional<post::AccuracySummary> accuracy_;
   std::optional<double> residual_;  // of the energies of a growth
   double strain_energy_ = 0, external_work_ = 0, next_frame_ = 0;
-  MovingGrowth* growth_ = nullptr;
+  fracture::MovingGrowth* growth_ = nullptr;
 };
 
-}  // namespace fracture
+}  // namespace cases

@@ -14,6 +14,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -24,7 +25,7 @@
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 using plate::Analysis;
@@ -63,13 +64,12 @@ void look_at_multipliers(double share, const plate::Formulation& plate, std::vec
 }
 
 /// Statics, motion or frequencies of one plate.
-class SinglePlate : public RunningAnalysis {
+class SinglePlate : public PlateAnalysis {
 public:
   SinglePlate(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints);
 
   void solve() override;
   void finish() override { results_.finish(); }
-  plate::NumericalError failed(const plate::NumericalError& error) override { return placed(error, plate_, summary()); }
 
 private:
   void solve_static();
@@ -78,16 +78,10 @@ private:
   void solve_frequencies();
   std::function<void(const plate::Instant&)> observer(std::size_t last, post::Progress& progress);
 
-  const RunPlan& plan() const { return results_.plan(); }
-  post::Summary& summary() { return results_.outputs().summary(); }
-  plate::Stopwatch& stopwatch() { return results_.outputs().stopwatch(); }
-
-  const ValidatedPlate& ready_;
-  const plate::Formulation& plate_;
   Results& results_;
   const Analysis& analysis_;
   RunCheckpoints* checkpoints_;
-  std::unique_ptr<MovingGrowth> growth_;
+  std::unique_ptr<fracture::MovingGrowth> growth_;
 };
 
 bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulation& plate) {
@@ -255,10 +249,12 @@ void SinglePlate::solve_frequencies() {
 }
 
 SinglePlate::SinglePlate(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints)
-    : ready_(ready), plate_(*ready.plate), results_(results), analysis_(plan().analysis), checkpoints_(checkpoints) {
-  summary() = about(plan(), plate_, ready.warnings);
+    : PlateAnalysis(ready, results.outputs()),
+      results_(results),
+      analysis_(plan().analysis),
+      checkpoints_(checkpoints) {
   if (!plan().growth) return;
-  growth_ = moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
+  growth_ = fracture::moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
   results.grows(*growth_);
 }
 
@@ -282,4 +278,4 @@ post::Summary run_once(const ValidatedPlate& ready, Results& results, RunCheckpo
   return carry_out(analysis, results.outputs());
 }
 
-}  // namespace fracture
+}  // namespace cases

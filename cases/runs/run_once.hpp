@@ -2,7 +2,7 @@
 #include "cases/runs/results.hpp"
 #include "cases/runs/run_plan.hpp"
 
-namespace fracture {
+namespace cases {
 
 class RunCheckpoints;
 
@@ -10,4 +10,4 @@ class RunCheckpoints;
 /// `checkpoints`: of a motion that may go on later, or goes on here.
 post::Summary run_once(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints = nullptr);
 
-}  // namespace fracture
+}  // namespace cases

@@ -1,6 +1,6 @@
 #include "cases/runs/run_plan.hpp"
 
-namespace fracture {
+namespace cases {
 
 plate::GridOptions grid_options(const RunPlan& plan) {
   // edges that a crack leaves at an angle to the lattice are a little stiffer than those of the start, families that
@@ -9,4 +9,4 @@ plate::GridOptions grid_options(const RunPlan& plan) {
   return {plan.analysis.duration, plan.analysis.time_step, plan.rows_every, plan.analysis.safety, most};
 }
 
-}  // namespace fracture
+}  // namespace cases

@@ -17,13 +17,13 @@ namespace plate {
 struct Problem;
 }
 
-namespace fracture {
+namespace cases {
 
 /// Subject of a run, and the results wanted of it. All that it refers to must outlive it.
 struct RunPlan {
   const plate::Problem& problem;
   const plate::Analysis& analysis;
-  const std::optional<Growth>& growth;
+  const std::optional<fracture::Growth>& growth;
   const std::optional<post::SrifOptions>& srif;  // where intensity factors are wanted
   const std::map<std::string, geometry::Point>& probes;
   std::string title, source, units;
@@ -59,4 +59,4 @@ struct ValidatedPlate {
   std::optional<plate::LanczosMotion> motion;
 };
 
-}  // namespace fracture
+}  // namespace cases

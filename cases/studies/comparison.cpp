@@ -18,22 +18,22 @@
 #include "post/report/html_page.hpp"
 #include "post/report/quantity.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
-using Row = std::vector<Cell>;
+using Row = std::vector<post::Cell>;
 
-std::optional<double> number(const Cell& cell) {
+std::optional<double> cell_number(const post::Cell& cell) {
   const auto* value = std::get_if<double>(&cell);
   return value && std::isfinite(*value) ? std::optional(*value) : std::nullopt;
 }
 
-std::string word(const Cell& cell) {
+std::string cell_word(const post::Cell& cell) {
   const auto* text = std::get_if<std::string>(&cell);
   return text ? *text : std::string();
 }
 
-bool has(const Table& table, const std::string& name) {
+bool has(const post::Table& table, const std::string& name) {
   return std::ranges::find(table.columns, name) != table.columns.end();
 }
 
@@ -43,31 +43,31 @@ struct Place {
 
 /// Rows of probes.csv for the probe that is compared.
 struct ProbeRows {
-  Table history;
+  post::Table history;
   std::optional<Place> place;
 };
 
-std::optional<Table> read_if_there(const std::filesystem::path& path) {
+std::optional<post::Table> read_if_there(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
-  return read_csv(path);
+  return post::read_csv(path);
 }
 
-Table rows_where(const Table& table, const std::function<bool(const Row&)>& wanted) {
-  Table result{table.columns, {}};
+post::Table rows_where(const post::Table& table, const std::function<bool(const Row&)>& wanted) {
+  post::Table result{table.columns, {}};
   std::ranges::copy_if(table.rows, std::back_inserter(result.rows), wanted);
   return result;
 }
 
-std::optional<Place> place(const Table& table, const Row& row) {
-  const auto x = number(row[table.column("x")]), y = number(row[table.column("y")]);
+std::optional<Place> place(const post::Table& table, const Row& row) {
+  const auto x = cell_number(row[table.column("x")]), y = cell_number(row[table.column("y")]);
   return x && y ? std::optional(Place{*x, *y}) : std::nullopt;
 }
 
-ProbeRows probe(const Table& probes) {
+ProbeRows probe(const post::Table& probes) {
   const std::size_t name = probes.column("probe");
-  Table history = rows_where(probes, [&](const Row& row) { return word(row[name]) == "tip"; });
+  post::Table history = rows_where(probes, [&](const Row& row) { return cell_word(row[name]) == "tip"; });
   if (history.rows.empty() && !probes.rows.empty()) {
-    const Cell first = probes.rows.front()[name];
+    const post::Cell first = probes.rows.front()[name];
     history = rows_where(probes, [&](const Row& row) { return row[name] == first; });
   }
   const auto where = history.rows.empty() ? std::nullopt : place(history, history.rows.front());
@@ -75,7 +75,7 @@ ProbeRows probe(const Table& probes) {
 }
 
 /// The rows of the tip that is nearest to `near` at the first time, by the first method listed for it.
-Table tip_history(const Table& srifs, const std::optional<Place>& near) {
+post::Table tip_history(const post::Table& srifs, const std::optional<Place>& near) {
   const std::size_t time = srifs.column("time"), tip = srifs.column("tip"), method = srifs.column("method");
   const Row* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -92,7 +92,7 @@ Table tip_history(const Table& srifs, const std::optional<Place>& near) {
 }
 
 /// The reference's columns for a quantity, the best first: F1_J, then F1, F1_paper_LS and so on.
-std::vector<std::string> reference_columns(const Table& reference, const std::string& quantity) {
+std::vector<std::string> reference_columns(const post::Table& reference, const std::string& quantity) {
   const bool factor = quantity.starts_with('K') || quantity.starts_with('F');
   std::vector<std::string> names;
   for (const std::string& name : reference.columns) {
@@ -103,14 +103,14 @@ std::vector<std::string> reference_columns(const Table& reference, const std::st
 }
 
 template <std::size_t Count>
-void add(std::vector<ComparedQuantity>& rows, const Table& computed, const Table& reference,
+void add(std::vector<ComparedQuantity>& rows, const post::Table& computed, const post::Table& reference,
          const std::array<const char*, Count>& quantities) {
   for (const std::string quantity : quantities) {
     if (!has(computed, quantity)) continue;
-    const Curve run = curve(computed, "time", quantity);
+    const post::Curve run = curve(computed, "time", quantity);
     if (run.t.empty()) continue;
     for (const std::string& name : reference_columns(reference, quantity)) {
-      const Curve known = curve(reference, "t", name);
+      const post::Curve known = curve(reference, "t", name);
       if (std::ranges::all_of(known.y, [](double y) { return y == 0; })) continue;
       const auto found = compare(run.t, run.y, known.t, known.y);
       if (const auto* reason = std::get_if<std::string>(&found))
@@ -134,7 +134,7 @@ std::string legend(const ComparedQuantity& row) {
 }  // namespace
 
 std::vector<ComparedQuantity> compare(const std::filesystem::path& results, const std::filesystem::path& reference) {
-  const Table curves = read_csv(reference);
+  const post::Table curves = post::read_csv(reference);
   if (!has(curves, "t")) throw std::invalid_argument("no column t, so it holds no curves");
   std::vector<ComparedQuantity> rows;
   std::optional<Place> near;
@@ -222,7 +222,7 @@ std::string to_text(const std::vector<Exceeded>& above) {
 }
 
 std::string to_text(const std::vector<ComparedQuantity>& rows) {
-  std::vector<TextColumn> columns;
+  std::vector<post::TextColumn> columns;
   const auto add = [&](const std::string& title, bool number,
                        const std::function<std::string(const ComparedQuantity&)>& text) {
     columns.push_back({title, number, {}});
@@ -247,7 +247,7 @@ std::string to_text(const std::vector<ComparedQuantity>& rows) {
     const auto shift = row.comparison.relative_shift();
     return shift ? sided(*shift) : std::string();
   });
-  std::string text = aligned(columns);
+  std::string text = post::aligned(columns);
   for (const auto& row : rows)
     if (const auto& c = row.comparison; c.covered < 0.999) {
       text += fmt::format("compared from {:g} to {:g}, {:.0f} % of the range of the reference\n", c.from, c.to,
@@ -257,9 +257,9 @@ std::string to_text(const std::vector<ComparedQuantity>& rows) {
   return text;
 }
 
-CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title, bool si) {
-  constexpr std::array lines{Line::reference, Line::second_reference, Line::third_reference};
-  CurvePlot result{title, {}};
+post::CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title, bool si) {
+  constexpr std::array lines{post::Line::reference, post::Line::second_reference, post::Line::third_reference};
+  post::CurvePlot result{title, {}};
   for (std::size_t first = 0, next = 0; first < rows.size(); first = next) {
     const std::string& quantity = rows[first].quantity;
     while (next < rows.size() && rows[next].quantity == quantity) ++next;
@@ -268,13 +268,14 @@ CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& tit
           return row.quantity.starts_with('F') && row.quantity.substr(1) == quantity.substr(1);
         });
     if (normalized_too) continue;
-    const auto unit = si ? si_unit(quantity) : std::string();
-    Panel panel{si ? "time [s]" : "time",
-                unit.empty() ? described(quantity) : fmt::format("{} [{}]", described(quantity), unit),
-                {}};
+    const auto unit = si ? post::si_unit(quantity) : std::string();
+    post::Panel panel{
+        si ? "time [s]" : "time",
+        unit.empty() ? post::described(quantity) : fmt::format("{} [{}]", post::described(quantity), unit),
+        {}};
     for (std::size_t i = first; i < next; ++i)
       panel.series.push_back({legend(rows[i]), lines[std::min(i - first, lines.size() - 1)], rows[i].known});
-    panel.series.push_back({"computed", Line::computed, rows[first].computed});
+    panel.series.push_back({"computed", post::Line::computed, rows[first].computed});
     result.panels.push_back(std::move(panel));
   }
   return result;
@@ -302,12 +303,12 @@ std::string to_text(const ComparedRun& run) {
 
 void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json) {
   if (!drawing.empty()) {
-    const auto summary = read_summary(run.folder / "summary.json");
+    const auto summary = post::read_summary(run.folder / "summary.json");
     const auto curves = plot(run.rows, title_of(run.folder), summary && summary->units == "SI");
     const bool page = drawing.extension() == ".html";
-    write_atomically(drawing, page ? comparison_page(curves, to_text(run.rows)) : to_svg(curves));
+    post::write_atomically(drawing, page ? post::comparison_page(curves, to_text(run.rows)) : post::to_svg(curves));
   }
-  if (!json.empty()) write_atomically(json, to_json(run.rows, run.above));
+  if (!json.empty()) post::write_atomically(json, to_json(run.rows, run.above));
 }
 
-}  // namespace post
+}  // namespace cases

@@ -9,14 +9,14 @@
 #include "cases/studies/curve_norms.hpp"
 #include "post/report/curve_plot.hpp"
 
-namespace post {
+namespace cases {
 
 /// Quantity of a run compared with a column of a reference.
 struct ComparedQuantity {
   std::string quantity;   // w, theta_x, theta_y, K1 ... K3, F1 ... F3
   std::string reference;  // the column: F1_J is the best value of F1, F1_paper_LS the paper's own recipe
   Comparison comparison;
-  Curve computed, known;  // the whole curves, also outside the range that both cover
+  post::Curve computed, known;  // the whole curves, also outside the range that both cover
 };
 
 /// Compares the probe and the tip of a finished run with the curves of a reference file, which has a column `t`.
@@ -55,7 +55,7 @@ std::string to_text(const std::vector<ComparedQuantity>& rows);
 
 /// The computed curves over their references: one panel for each quantity, K left out where F of the same mode is
 /// there; `si`: with units.
-CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title, bool si = false);
+post::CurvePlot plot(const std::vector<ComparedQuantity>& rows, const std::string& title, bool si = false);
 
 /// The title in summary.json of a finished run, or else the name of its folder.
 std::string title_of(const std::filesystem::path& results);
@@ -76,4 +76,4 @@ std::string to_text(const ComparedRun& run);
 /// Writes the curves as a drawing (SVG), or a page (.html), and all numbers as JSON, where these have a name.
 void write(const ComparedRun& run, const std::filesystem::path& drawing, const std::filesystem::path& json);
 
-}  // namespace post
+}  // namespace cases

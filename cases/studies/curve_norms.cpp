@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace post {
+namespace cases {
 namespace {
 
 /// Returns what is wrong with a curve, empty where nothing is.
@@ -37,7 +37,7 @@ Extremum peak(const std::vector<double>& t, const std::vector<double>& y, double
 }
 
 /// The times of both curves from the first to the last common one.
-std::vector<double> common_times(const Curve& one, const Curve& other, double from, double to) {
+std::vector<double> common_times(const post::Curve& one, const post::Curve& other, double from, double to) {
   std::vector<double> times{from, to};
   for (const auto* t : {&one.t, &other.t})
     std::ranges::copy_if(*t, std::back_inserter(times), [&](double time) { return time > from && time < to; });
@@ -48,7 +48,7 @@ std::vector<double> common_times(const Curve& one, const Curve& other, double fr
 }
 
 /// L2 norm and maximum of the difference of two curves that are linear between their samples: exact.
-void add_norms(Comparison& result, const Curve& computed, const Curve& reference) {
+void add_norms(Comparison& result, const post::Curve& computed, const post::Curve& reference) {
   const auto times = common_times(computed, reference, result.from, result.to);
   std::vector<double> difference, known;
   for (const double time : times) {
@@ -67,7 +67,8 @@ void add_norms(Comparison& result, const Curve& computed, const Curve& reference
 }
 
 /// Correlation of computed(t + lag) and reference(t) where both are known; none where one of them is constant there.
-std::optional<double> correlation(const Curve& computed, const Curve& reference, double from, double to, double lag) {
+std::optional<double> correlation(const post::Curve& computed, const post::Curve& reference, double from, double to,
+                                  double lag) {
   constexpr int samples = 1000;
   const double first = std::max(from, from - lag), last = std::min(to, to - lag);
   double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
@@ -83,7 +84,7 @@ std::optional<double> correlation(const Curve& computed, const Curve& reference,
 }
 
 /// The lag of the best correlation: tried in steps, then between the neighbours of the best by golden sections.
-std::optional<double> shift(const Curve& computed, const Curve& reference, double from, double to) {
+std::optional<double> shift(const post::Curve& computed, const post::Curve& reference, double from, double to) {
   constexpr int steps = 200;  // each way
   constexpr double as_good = 1e-9;
   const double longest = (to - from) / 4, step = longest / steps;
@@ -164,4 +165,4 @@ std::vector<std::pair<std::string, double>> measures(const Comparison& compariso
   return result;
 }
 
-}  // namespace post
+}  // namespace cases

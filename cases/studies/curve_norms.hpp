@@ -8,7 +8,7 @@
 
 #include "post/report/curve_plot.hpp"
 
-namespace post {
+namespace cases {
 
 /// Difference of a computed curve from a reference, over the range of time that both cover; both are linear between
 /// their samples. A peak is the value of largest magnitude, with its sign.
@@ -45,4 +45,4 @@ const std::vector<std::string>& measure_names();
 /// shift; without sign. A shift that is not known is left out.
 std::vector<std::pair<std::string, double>> measures(const Comparison& comparison);
 
-}  // namespace post
+}  // namespace cases

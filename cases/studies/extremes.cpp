@@ -14,10 +14,6 @@
 namespace cases {
 namespace {
 
-using post::ConservedEnergy;
-using post::EqualValue;
-using post::KnownValue;
-
 template <class T>
 Fields<T> joined(Fields<T> fields, Fields<T> more) {
   fields.insert(fields.end(), more.begin(), more.end());
@@ -64,7 +60,7 @@ Extremes read_extremes(const std::filesystem::path& path) {
   Extremes extremes;
   extremes.title = path.stem().string();
   read_fields(extremes_fields(), Value(root, "", reading), extremes);
-  for (const auto& [key, what] : post::errors({extremes.rows.begin(), extremes.rows.end()}))
+  for (const auto& [key, what] : errors({extremes.rows.begin(), extremes.rows.end()}))
     if (reading.sound(key)) reading.report_error(key, what);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   return extremes;
@@ -82,13 +78,13 @@ void set_time_step(CaseFile& file, double share) {
       share * plate::stable_time_step(plate, plate.constraints(), plate.mass(file.content.analysis.rotary_inertia));
 }
 
-post::ExtremeRun run_row(const Extremes& extremes, const ExtremeRow& row, const ExtremeOptions& options,
-                         const fs::path& folder) {
+ExtremeRun run_row(const Extremes& extremes, const ExtremeRow& row, const ExtremeOptions& options,
+                   const fs::path& folder) {
   std::vector<std::string> overrides;
   for (const auto& setting : extremes.set) overrides.push_back(setting.text);
   overrides.insert(overrides.end(), options.set.begin(), options.set.end());
   for (const auto& setting : row.set) overrides.push_back(setting.text);
-  post::ExtremeRun result;
+  ExtremeRun result;
   result.folder = folder;
   plate::Stopwatch stopwatch;
   try {
@@ -107,23 +103,23 @@ post::ExtremeRun run_row(const Extremes& extremes, const ExtremeRow& row, const 
 
 }  // namespace
 
-std::vector<post::Verdict> run_extremes(const Extremes& extremes, const ExtremeOptions& options) {
-  const auto wanted = post::chosen({extremes.rows.begin(), extremes.rows.end()}, options.only);
+std::vector<Verdict> run_extremes(const Extremes& extremes, const ExtremeOptions& options) {
+  const auto wanted = chosen_rows({extremes.rows.begin(), extremes.rows.end()}, options.only);
   fs::create_directories(options.folder);
-  std::vector<post::Verdict> verdicts;
-  std::map<std::string, post::ExtremeRun> runs;
+  std::vector<Verdict> verdicts;
+  std::map<std::string, ExtremeRun> runs;
   std::set<std::string> taken{"extremes.csv"};
   for (const auto& row : extremes.rows) {
-    const std::string name = post::folder_name({row.title}, taken);
+    const std::string name = folder_name({row.title}, taken);
     taken.insert(name);
     if (!wanted.contains(row.title)) continue;
     const auto& run = runs[row.title] = run_row(extremes, row, options, options.folder / name);
-    const auto found = post::verdicts(row, run, runs);
+    const auto found = cases::verdicts(row, run, runs);
     verdicts.insert(verdicts.end(), found.begin(), found.end());
-    post::write_csv(options.folder / "extremes.csv", post::table(verdicts));
+    post::write_csv(options.folder / "extremes.csv", table(verdicts));
     if (!options.quiet)
       post::say(fmt::format("[{}/{}] {}: {}, {:.1f} s\n", runs.size(), wanted.size(), row.title,
-                            std::ranges::all_of(found, &post::Verdict::holds) ? "holds" : "MISSED", run.seconds));
+                            std::ranges::all_of(found, &Verdict::holds) ? "holds" : "MISSED", run.seconds));
   }
   if (!verdicts.empty()) post::write_extremes_report(options.folder, extremes.title);
   return verdicts;

@@ -5,7 +5,7 @@
 namespace cases {
 
 /// A case at the edge of what can be computed, and what must come out of it.
-struct ExtremeRow : post::Oracles {
+struct ExtremeRow : Oracles {
   std::optional<std::filesystem::path> case_file;
   std::vector<Setting> set;
   std::optional<double> time_step_share;  // dynamic: time step / the program's stable limit for this row
@@ -28,6 +28,6 @@ struct ExtremeOptions {
 };
 
 /// Runs the rows in their order, a line per verdict unless quiet; writes extremes.csv.
-std::vector<post::Verdict> run_extremes(const Extremes& extremes, const ExtremeOptions& options);
+std::vector<Verdict> run_extremes(const Extremes& extremes, const ExtremeOptions& options);
 
 }  // namespace cases

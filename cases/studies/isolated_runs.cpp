@@ -16,7 +16,7 @@
 #include "plate/solve/interruption.hpp"
 #include "post/report/quantity.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 Ended caught(const std::function<Ended()>& work) {
@@ -100,8 +100,8 @@ Ended isolated(const std::function<Ended()>& work) {
 
 namespace {
 
-std::optional<Summary> summary_of(const RunRecord& record, const std::filesystem::path& folder) {
-  return read_summary(folder / record.run / "summary.json");
+std::optional<post::Summary> summary_of(const RunRecord& record, const std::filesystem::path& folder) {
+  return post::read_summary(folder / record.run / "summary.json");
 }
 
 }  // namespace
@@ -140,4 +140,4 @@ std::vector<StudyRow> rows_of(const RunRecord& record, StudyRow row, const std::
   return study_rows(row, wanted, *summary, folder / record.run);
 }
 
-}  // namespace post
+}  // namespace cases

@@ -6,7 +6,7 @@
 #include "cases/studies/ledger.hpp"
 #include "cases/studies/study_table.hpp"
 
-namespace post {
+namespace cases {
 
 /// Outcome of a piece of work, and why.
 struct Ended {
@@ -32,4 +32,4 @@ RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesyste
 std::vector<StudyRow> rows_of(const RunRecord& record, StudyRow row, const std::vector<Wanted>& wanted,
                               const std::filesystem::path& folder);
 
-}  // namespace post
+}  // namespace cases

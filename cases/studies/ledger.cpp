@@ -9,7 +9,7 @@
 #include "post/files/run_folder.hpp"
 #include "post/files/table.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 constexpr std::array<std::pair<RunOutcome, const char*>, 7> names_of_outcomes{{{RunOutcome::done, "done"},
@@ -34,25 +34,25 @@ std::optional<double> stage(const Cost& cost, const std::string& name) {
   return std::nullopt;
 }
 
-Cell entry(const std::optional<double>& number) {
-  return number ? Cell(*number) : Cell();
+post::Cell ledger_cell(const std::optional<double>& number) {
+  return number ? post::Cell(*number) : post::Cell();
 }
 
-Cell entry(const std::string& word) {
-  return word.empty() ? Cell() : Cell(word);
+post::Cell ledger_cell(const std::string& word) {
+  return word.empty() ? post::Cell() : post::Cell(word);
 }
 
-std::vector<Cell> row_of(const RunRecord& r) {
-  std::vector<Cell> row{entry("./" + r.run),
-                        entry("id " + r.digest),  // words, not numbers
-                        entry("version " + r.version),
-                        entry(name_of(r.outcome)),
-                        entry(r.message),
-                        double(r.cost.repeats),
-                        entry(stage(r.cost, "total")),
-                        r.cost.repeats > 0 ? Cell(r.cost.least) : Cell(),
-                        r.cost.repeats > 0 ? Cell(r.cost.most) : Cell()};
-  for (const char* name : stages) row.push_back(entry(stage(r.cost, name)));
+std::vector<post::Cell> row_of(const RunRecord& r) {
+  std::vector<post::Cell> row{ledger_cell("./" + r.run),
+                              ledger_cell("id " + r.digest),  // words, not numbers
+                              ledger_cell("version " + r.version),
+                              ledger_cell(name_of(r.outcome)),
+                              ledger_cell(r.message),
+                              double(r.cost.repeats),
+                              ledger_cell(stage(r.cost, "total")),
+                              r.cost.repeats > 0 ? post::Cell(r.cost.least) : post::Cell(),
+                              r.cost.repeats > 0 ? post::Cell(r.cost.most) : post::Cell()};
+  for (const char* name : stages) row.push_back(ledger_cell(stage(r.cost, name)));
   return row;
 }
 
@@ -64,7 +64,7 @@ std::vector<std::string> columns() {
 }
 
 /// Reads a record; none with an outcome of another version.
-std::optional<RunRecord> record_of(const Table& table, const std::vector<Cell>& row) {
+std::optional<RunRecord> record_of(const post::Table& table, const std::vector<post::Cell>& row) {
   const auto word = [&](const char* column, std::size_t skip = 0) {
     const auto* text = std::get_if<std::string>(&row.at(table.column(column)));
     return text ? text->substr(std::min(skip, text->size())) : std::string();
@@ -89,7 +89,7 @@ constexpr std::string_view mark = "# ";  // of the last line: a comment with wha
 /// True where a record is as it was written, to the last bit.
 bool whole(const std::string& text) {
   const auto end = text.rfind(mark);
-  return end != std::string::npos && text.substr(end) == std::string(mark) + digest(text.substr(0, end)) + "\n";
+  return end != std::string::npos && text.substr(end) == std::string(mark) + post::digest(text.substr(0, end)) + "\n";
 }
 
 }  // namespace
@@ -126,8 +126,8 @@ std::filesystem::path Ledger::file_of(const std::string& run) const {
 
 std::optional<RunRecord> Ledger::known(const std::string& run) const {
   try {
-    if (!std::filesystem::exists(file_of(run)) || !whole(read_text(file_of(run)))) return std::nullopt;
-    const auto table = read_csv(file_of(run));
+    if (!std::filesystem::exists(file_of(run)) || !whole(post::read_text(file_of(run)))) return std::nullopt;
+    const auto table = post::read_csv(file_of(run));
     return record_of(table, table.rows.at(0));
   } catch (const std::exception&) {
     return std::nullopt;  // of another version, or forgotten just now: the run is made anew
@@ -144,8 +144,8 @@ std::optional<RunRecord> Ledger::done(const RunRecord& wanted, std::size_t repea
 
 void Ledger::put(const RunRecord& record) const {
   std::filesystem::create_directories(folder_);
-  const auto text = csv_text({columns(), {row_of(record)}});
-  write_atomically(file_of(record.run), text + std::string(mark) + digest(text) + "\n");
+  const auto text = post::csv_text({columns(), {row_of(record)}});
+  post::write_atomically(file_of(record.run), text + std::string(mark) + post::digest(text) + "\n");
 }
 
 void Ledger::forget(const std::string& run) const {
@@ -158,12 +158,12 @@ bool same_program(const RunRecord& record, const RunRecord& wanted) {
 }
 
 void write_records(const std::filesystem::path& file, std::vector<RunRecord> records) {
-  Table table{columns(), {}};
+  post::Table table{columns(), {}};
   for (auto& record : records) {
-    record.message = one_line(record.message);
+    record.message = post::one_line(record.message);
     table.rows.push_back(row_of(record));
   }
-  write_csv(file, table);
+  post::write_csv(file, table);
 }
 
-}  // namespace post
+}  // namespace cases

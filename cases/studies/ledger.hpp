@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace post {
+namespace cases {
 
 /// Outcome of a run of a study: it is done; its case is refused; its numbers failed; the user ended it; a signal ended
 /// its process; its record is missing; the machine failed (no memory, disk full), which ends the study.
@@ -66,4 +66,4 @@ bool same_program(const RunRecord& record, const RunRecord& wanted);
 /// Writes runs.csv: a row and a line for each record.
 void write_records(const std::filesystem::path& file, std::vector<RunRecord> records);
 
-}  // namespace post
+}  // namespace cases

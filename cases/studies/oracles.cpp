@@ -9,7 +9,7 @@
 #include "plate/model/wording.hpp"
 #include "post/files/table.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -25,17 +25,17 @@ std::optional<double> relative(const std::optional<double>& computed, const std:
   return std::abs(*computed - *expected) / (*expected == 0 ? 1 : std::abs(*expected));
 }
 
-std::optional<double> value(const Quantity& quantity, const ExtremeRun& run) {
-  return run.summary ? value(quantity, *run.summary, run.folder) : std::nullopt;
+std::optional<double> value_in_run(const post::Quantity& quantity, const ExtremeRun& run) {
+  return run.summary ? post::value(quantity, *run.summary, run.folder) : std::nullopt;
 }
 
-std::string named(const Quantity& quantity) {
+std::string named(const post::Quantity& quantity) {
   return quantity.name + (quantity.place().empty() ? "" : " at " + quantity.place());
 }
 
 /// (largest - smallest) / mean of the discrete energy after a time; nothing with less than two rows.
 std::optional<double> drift(const ExtremeRun& run, double after) {
-  const auto table = read_csv(run.folder / "history.csv");
+  const auto table = post::read_csv(run.folder / "history.csv");
   double low = INFINITY, high = -INFINITY, sum = 0;
   int count = 0;
   for (const auto& row : table.rows) {
@@ -59,7 +59,7 @@ public:
     if (row_.value) number(row_.value->quantity, row_.value->is, row_.value->tolerance, row_.value->source);
     if (row_.equal) {
       const auto& equal = *row_.equal;
-      const auto other = value(equal.quantity, before_.at(equal.row));
+      const auto other = value_in_run(equal.quantity, before_.at(equal.row));
       const std::string times = equal.factor == 1 ? "" : fmt::format("{:g} x ", equal.factor);
       number(equal.quantity, other ? std::optional(equal.factor * *other) : std::nullopt, equal.tolerance,
              fmt::format("{}\"{}\"", times, equal.row));
@@ -90,9 +90,9 @@ private:
     return verdict;
   }
 
-  void number(const Quantity& quantity, const std::optional<double>& expected, double tolerance,
+  void number(const post::Quantity& quantity, const std::optional<double>& expected, double tolerance,
               const std::string& source) {
-    const auto computed = value(quantity, run_);
+    const auto computed = value_in_run(quantity, run_);
     add(named(quantity), shown(computed), fmt::format("{} ({})", shown(expected), source), relative(computed, expected),
         tolerance);
   }
@@ -145,7 +145,7 @@ std::vector<std::pair<std::string, std::string>> errors(const std::vector<Oracle
   return found;
 }
 
-std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only) {
+std::set<std::string> chosen_rows(const std::vector<Oracles>& rows, const std::string& only) {
   const auto has = [&](const std::string& text) { return text.find(only) != std::string::npos; };
   std::set<std::string> result;
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
@@ -156,19 +156,19 @@ std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string
   return result;
 }
 
-Table table(const std::vector<Verdict>& verdicts) {
-  const auto cell = [](const std::optional<double>& x) { return x ? Cell(*x) : Cell(); };
-  Table result{
+post::Table table(const std::vector<Verdict>& verdicts) {
+  const auto cell = [](const std::optional<double>& x) { return x ? post::Cell(*x) : post::Cell(); };
+  post::Table result{
       {"group", "row", "oracle", "computed", "expected", "deviation", "allowed", "holds", "seconds", "message"}, {}};
   for (const auto& v : verdicts)
     result.rows.push_back({v.group, v.row, v.oracle, v.computed, v.expected, cell(v.deviation), cell(v.allowed),
-                           std::string(v.holds ? "yes" : "no"), v.seconds, one_line(v.message)});
+                           std::string(v.holds ? "yes" : "no"), v.seconds, post::one_line(v.message)});
   return result;
 }
 
 std::string to_text(const std::vector<Verdict>& verdicts) {
   using Text = std::function<std::string(const Verdict&)>;
-  std::vector<TextColumn> columns;
+  std::vector<post::TextColumn> columns;
   const auto add = [&](const std::string& title, bool number, const Text& text) {
     columns.push_back({title, number});
     for (const auto& verdict : verdicts) columns.back().cells.push_back(text(verdict));
@@ -183,8 +183,8 @@ std::string to_text(const std::vector<Verdict>& verdicts) {
   add("allowed", true, [&](const Verdict& v) { return ratio(v.allowed); });
   add("", false, [](const Verdict& v) { return v.holds ? "holds" : "MISSED"; });
   add("s", true, [](const Verdict& v) { return fmt::format("{:.1f}", v.seconds); });
-  add("", false, [](const Verdict& v) { return one_line(v.message); });
-  return aligned(columns);
+  add("", false, [](const Verdict& v) { return post::one_line(v.message); });
+  return post::aligned(columns);
 }
 
-}  // namespace post
+}  // namespace cases

@@ -10,19 +10,21 @@
 #include "post/report/quantity.hpp"
 
 namespace post {
-
 struct Table;
+}
+
+namespace cases {
 
 /// A quantity has this value: a closed form, a series, finite elements.
 struct KnownValue {
-  Quantity quantity;
+  post::Quantity quantity;
   double is = 0, tolerance = 0;  // relative
   std::string source;
 };
 
 /// A quantity is `factor` times that of a row before: another unit, a mirror image, what should make no difference.
 struct EqualValue {
-  Quantity quantity;
+  post::Quantity quantity;
   std::string row;
   double factor = 1, tolerance = 0;  // relative
 };
@@ -46,13 +48,13 @@ struct Oracles {
 std::vector<std::pair<std::string, std::string>> errors(const std::vector<Oracles>& rows);
 
 /// The titles of the rows whose group or title contains this, and of those that they should equal.
-std::set<std::string> chosen(const std::vector<Oracles>& rows, const std::string& only);
+std::set<std::string> chosen_rows(const std::vector<Oracles>& rows, const std::string& only);
 
 /// Outcome of such a case.
 struct ExtremeRun {
   std::filesystem::path folder;
-  std::optional<Summary> summary;  // of a run that ended well
-  std::string refused, failed;     // messages
+  std::optional<post::Summary> summary;  // of a run that ended well
+  std::string refused, failed;           // messages
   double seconds = 0;
 };
 
@@ -70,9 +72,9 @@ std::vector<Verdict> verdicts(const Oracles& row, const ExtremeRun& run,
                               const std::map<std::string, ExtremeRun>& before);
 
 /// The rows of extremes.csv.
-Table table(const std::vector<Verdict>& verdicts);
+post::Table table(const std::vector<Verdict>& verdicts);
 
 /// An aligned table: one line per verdict.
 std::string to_text(const std::vector<Verdict>& verdicts);
 
-}  // namespace post
+}  // namespace cases

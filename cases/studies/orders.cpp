@@ -8,7 +8,7 @@
 #include "cases/studies/ledger.hpp"
 #include "post/files/table.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 constexpr std::size_t least_runs = 3;  // two errors lie on a line whatever they are
@@ -48,7 +48,7 @@ Logarithms logarithms(const StudyTable& study, const StudyLine& line, const Refi
   return result;
 }
 
-std::string text_of(const Cell& cell) {
+std::string cell_text(const post::Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.4g}", *number);
   return std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : "";
 }
@@ -145,17 +145,18 @@ const std::vector<std::string>& order_columns() {
   return names;
 }
 
-Table orders_table(const StudyTable& study) {
+post::Table orders_table(const StudyTable& study) {
   const auto along = refinement(study.rows);
-  Table result;
+  post::Table result;
   if (along) result.columns = without(study.axes, along->axis);
   result.columns.insert(result.columns.end(), order_columns().begin(), order_columns().end());
   for (const auto& [line, runs, order, misfit, seconds] : orders(study)) {
     const auto labels = without(line.labels, along->axis);
-    std::vector<Cell> cells(labels.begin(), labels.end());
-    for (Cell value :
-         {cell(line.quantity), cell(line.place), cell(line.method), Cell(along->by_horizon ? "horizon" : "spacing"),
-          Cell(static_cast<double>(runs)), cell(order), cell(misfit), cell(seconds)})
+    std::vector<post::Cell> cells(labels.begin(), labels.end());
+    for (post::Cell value :
+         {post::cell(line.quantity), post::cell(line.place), post::cell(line.method),
+          post::Cell(along->by_horizon ? "horizon" : "spacing"), post::Cell(static_cast<double>(runs)),
+          post::cell(order), post::cell(misfit), post::cell(seconds)})
       cells.push_back(std::move(value));
     result.rows.push_back(std::move(cells));
   }
@@ -163,16 +164,16 @@ Table orders_table(const StudyTable& study) {
 }
 
 std::string orders_text(const StudyTable& study) {
-  const Table table = orders_table(study);
+  const post::Table table = orders_table(study);
   const auto numbers = std::ranges::find(table.columns, "runs") - table.columns.begin();
-  std::vector<TextColumn> columns;
+  std::vector<post::TextColumn> columns;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     columns.push_back({table.columns[i], std::ptrdiff_t(i) >= numbers, {}});
-    for (const auto& row : table.rows) columns.back().cells.push_back(text_of(row[i]));
+    for (const auto& row : table.rows) columns.back().cells.push_back(cell_text(row[i]));
     const bool is_empty = std::ranges::all_of(columns.back().cells, &std::string::empty);
     if (is_empty) columns.pop_back();
   }
-  return aligned(columns);
+  return post::aligned(columns);
 }
 
 std::optional<Slope> slope(const std::vector<double>& x, const std::vector<double>& y) {
@@ -191,4 +192,4 @@ std::optional<Slope> slope(const std::vector<double>& x, const std::vector<doubl
   return Slope{xy / xx, std::sqrt(std::max(0.0, yy - xy * xy / xx) / count)};
 }
 
-}  // namespace post
+}  // namespace cases

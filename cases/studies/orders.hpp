@@ -5,7 +5,7 @@
 
 #include "cases/studies/study_table.hpp"
 
-namespace post {
+namespace cases {
 
 /// The axis along which the points become finer, and by which length that is measured.
 struct Refinement {
@@ -49,7 +49,7 @@ std::vector<Order> orders(const StudyTable& study);
 const std::vector<std::string>& order_columns();
 
 /// The rows of orders.csv; `against` says whether by spacing or by horizon.
-Table orders_table(const StudyTable& study);
+post::Table orders_table(const StudyTable& study);
 
 /// Returns orders_table() as aligned text.
 std::string orders_text(const StudyTable& study);
@@ -60,4 +60,4 @@ struct Slope {
 };
 std::optional<Slope> slope(const std::vector<double>& x, const std::vector<double>& y);
 
-}  // namespace post
+}  // namespace cases

@@ -6,7 +6,6 @@ namespace cases {
 namespace {
 
 namespace fs = std::filesystem;
-using post::Reference;
 
 /// A file that is named relative to the study file.
 fs::path beside_study(const Value& given, const std::string& name) {
@@ -41,26 +40,26 @@ bool has_value(const Reference& reference) {
 void read_finest(const Value& given, Reference& reference) {
   const auto is_finest = given.boolean();
   if (is_finest && !*is_finest) given.refuse("true");
-  reference.known = post::Finest{};
+  reference.known = Finest{};
 }
 
 void read_curve(const Value& given, Reference& reference) {
   const auto name = given.text();
-  post::KnownCurve known;
+  KnownCurve known;
   if (name) known.file = beside_study(given, *name);
   reference.known = known;
 }
 
 bool has_curve(const Reference& reference) {
-  return std::holds_alternative<post::KnownCurve>(reference.known);
+  return std::holds_alternative<KnownCurve>(reference.known);
 }
 
 void read_column(const Value& given, Reference& reference) {
-  std::get<post::KnownCurve>(reference.known).column = given.text().value_or("");
+  std::get<KnownCurve>(reference.known).column = given.text().value_or("");
 }
 
 /// Reads the samples of a curve.
-void load(const Value& reference, post::KnownCurve& known) {
+void load(const Value& reference, KnownCurve& known) {
   Reading& reading = reference.reading();
   const std::string file = reference.below("curve"), column = reference.below("column");
   try {
@@ -98,7 +97,7 @@ void check_reference(const Value& given, Reference& reference) {
     reading.report_error(given.below("value"),
                          "0 given, must be a number other than 0, because errors are relative to it; or give scale");
   const bool is_sound = found.size() == 1 && reading.sound(given.key());
-  if (is_sound && has_curve(reference)) load(given, std::get<post::KnownCurve>(reference.known));
+  if (is_sound && has_curve(reference)) load(given, std::get<KnownCurve>(reference.known));
 }
 
 /// The short form of the points of an axis: the values of its key.

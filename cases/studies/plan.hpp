@@ -29,7 +29,7 @@ struct StudyPlan {
   std::vector<Setting> set;  // of all runs
   std::vector<Axis> axes;
   std::vector<Listed> quantities;
-  std::vector<post::Reference> references;
+  std::vector<Reference> references;
   std::size_t repeats = 1;  // of every run, for the spread of its time
 
   std::vector<std::string> axis_names() const;

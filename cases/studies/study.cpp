@@ -16,7 +16,7 @@
 #include "post/files/summary.hpp"
 #include "post/report/quantity.hpp"
 
-namespace fracture {
+namespace cases {
 namespace {
 
 /// Reason why the run does not have a quantity of the whole plate; empty where it has.
@@ -47,9 +47,6 @@ std::string lacking(const RunPlan& plan, const post::Quantity& quantity) {
   return *quantity.tip < tips ? "" : fmt::format("the case has {} crack tips, counted from 0", tips);
 }
 
-}  // namespace fracture
-
-namespace cases {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,8 +57,8 @@ std::string si_unit(const std::string& key) {
   return known == keys().end() ? "" : post::si_unit_of(known->unit);
 }
 
-post::StudyTitles titles(const Study& study) {
-  post::StudyTitles result{study.title, study.axis_names(), true};
+StudyTitles titles(const Study& study) {
+  StudyTitles result{study.title, study.axis_names(), true};
   for (const auto& run : study.runs) result.si = result.si && run.file.content.units == "SI";
   for (std::size_t i = 0; i < study.axes.size(); ++i)
     if (const auto unit = si_unit(study.axes[i].key); result.si && !unit.empty())
@@ -69,16 +66,16 @@ post::StudyTitles titles(const Study& study) {
   return result;
 }
 
-post::Ended run_once(const CaseFile& file, const fs::path& folder) {
+Ended ended_run(const CaseFile& file, const fs::path& folder) {
   try {
     run(file, {folder, true});
-    return {post::RunOutcome::done};
+    return {RunOutcome::done};
   } catch (const CaseError& error) {
-    return {post::RunOutcome::refused, error.what()};
+    return {RunOutcome::refused, error.what()};
   } catch (const plate::NumericalError& error) {
-    return {post::RunOutcome::failed, error.what()};
+    return {RunOutcome::failed, error.what()};
   } catch (const plate::Interrupted& asked) {
-    return {post::RunOutcome::interrupted, asked.what()};
+    return {RunOutcome::interrupted, asked.what()};
   }
 }
 
@@ -87,8 +84,8 @@ std::string program() {
   return fmt::format("{} of {}", PDPLATE_VERSION, plate::build());
 }
 
-post::RunRecord wanted_record(const StudyRun& run) {
-  return {run.folder, post::digest(resolved_toml(run.file.content)), program(), post::RunOutcome::done};
+RunRecord wanted_record(const StudyRun& run) {
+  return {run.folder, post::digest(resolved_toml(run.file.content)), program(), RunOutcome::done};
 }
 
 }  // namespace
@@ -99,8 +96,8 @@ std::vector<std::string> StudyPlan::axis_names() const {
   return names;
 }
 
-post::StudyRow bare_row(const StudyRun& run) {
-  post::StudyRow row;
+StudyRow bare_row(const StudyRun& run) {
+  StudyRow row;
   row.labels = run.labels;
   row.spacing = run.file.content.discretization.spacing;
   row.horizon = run.file.content.discretization.horizon();
@@ -108,30 +105,28 @@ post::StudyRow bare_row(const StudyRun& run) {
 }
 
 StudyOutcome run_study(const Study& study, const StudyOptions& options) {
-  post::StudyJobs work{titles(study), study.axis_names(), {}, study.repeats};
+  StudyJobs work{titles(study), study.axis_names(), {}, study.repeats};
   for (const auto& run : study.runs) {
     const auto& c = run.file.content;
     work.jobs.push_back({wanted_record(run), bare_row(run), run.wanted,
-                         post::weight(geometry::area(c.outline), c.discretization.spacing),
-                         [&] { return run_once(run.file, options.folder / run.folder); }});
+                         weight(geometry::area(c.outline), c.discretization.spacing),
+                         [&] { return ended_run(run.file, options.folder / run.folder); }});
   }
   try {
-    return post::run_study(work, options);
-  } catch (const post::StudyRefused& refused) {
+    return run_study(work, options);
+  } catch (const StudyRefused& refused) {
     throw CaseError({{refused.option, refused.value, refused.what()}});
   }
 }
 
 namespace {
 
-using post::Reference;
-
 const auto element = [](const std::string& list, std::size_t i) { return fmt::format("{}[{}]", list, i); };
 
 /// Names of axes are columns of study.csv, labels tell the points of an axis apart.
 void check_axes(const Study& study, Reading& reading) {
-  std::set<std::string> columns(post::study_columns().begin(), post::study_columns().end());
-  columns.insert(post::order_columns().begin(), post::order_columns().end());
+  std::set<std::string> columns(study_columns().begin(), study_columns().end());
+  columns.insert(order_columns().begin(), order_columns().end());
   for (const char* stood_for : {"spacing", "horizon"}) columns.erase(stood_for);  // an axis may stand for them
   double runs = 1;
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
@@ -176,8 +171,7 @@ void check_references(const Study& study, Reading& reading) {
     const std::string key = element("reference", j);
     check_where(study, references[j], key, reading);
     const auto end = references.begin() + std::ptrdiff_t(j);
-    const auto same =
-        std::find_if(references.begin(), end, [&](const auto& r) { return post::overlap(r, references[j]); });
+    const auto same = std::find_if(references.begin(), end, [&](const auto& r) { return overlap(r, references[j]); });
     const std::string other = element("reference", std::size_t(same - references.begin()));
     if (same != end && reading.sound(key))
       reading.report_error(key, fmt::format("matches a run with the same quantity as {} ({}): one for each run", other,
@@ -194,7 +188,7 @@ public:
   void read() {
     std::vector<std::size_t> sizes;
     for (const auto& axis : study_.axes) sizes.push_back(axis.points.size());
-    const auto all = post::combinations(sizes);
+    const auto all = combinations(sizes);
     for (const auto& combination : all) read_run(combination);
     for (auto& [problem, runs] : problems_) {
       if (runs.size() < all.size())
@@ -246,20 +240,18 @@ private:
       else
         report_error({reading_.found().place(key), key, lack}, run);
     }
-    run.wanted =
-        post::wanted(listed, study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
-          const auto& reference = study_.references[i];
-          const std::string key = element("reference", i), lack = lacking(plan, reference.quantity);
-          const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
-          const bool is_curve = std::holds_alternative<post::KnownCurve>(reference.known);
-          if (needed && !lack.empty()) report_error({reading_.found().place(key), key, lack}, run);
-          if (needed && is_curve && !post::has_history(reference.quantity.name))
-            report_error({reading_.found().place(key), key, "is one number, and has no curve in time"}, run);
-          if (needed && is_curve && is_static)
-            report_error({reading_.found().place(key), key, "the case is static, so it has no history for a curve"},
-                         run);
-          return lack.empty();
-        });
+    run.wanted = wanted(listed, study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
+      const auto& reference = study_.references[i];
+      const std::string key = element("reference", i), lack = lacking(plan, reference.quantity);
+      const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
+      const bool is_curve = std::holds_alternative<KnownCurve>(reference.known);
+      if (needed && !lack.empty()) report_error({reading_.found().place(key), key, lack}, run);
+      if (needed && is_curve && !post::has_history(reference.quantity.name))
+        report_error({reading_.found().place(key), key, "is one number, and has no curve in time"}, run);
+      if (needed && is_curve && is_static)
+        report_error({reading_.found().place(key), key, "the case is static, so it has no history for a curve"}, run);
+      return lack.empty();
+    });
     study_.runs.push_back(std::move(run));
   }
 
@@ -270,11 +262,11 @@ private:
 
 /// Reports a reference to the finest run where no axis changes the spacing.
 void check_finest(const Study& study, Reading& reading) {
-  std::vector<post::StudyRow> rows;
+  std::vector<StudyRow> rows;
   for (const auto& run : study.runs) rows.push_back(bare_row(run));
-  const auto along = post::refinement(rows);
+  const auto along = refinement(rows);
   for (std::size_t i = 0; i < study.references.size(); ++i)
-    if (std::holds_alternative<post::Finest>(study.references[i].known) && (!along || along->by_horizon))
+    if (std::holds_alternative<Finest>(study.references[i].known) && (!along || along->by_horizon))
       reading.report_error(element("reference", i) + ".finest", "no axis changes the spacing, so no run is the finest");
 }
 
@@ -292,7 +284,7 @@ Study read_study(const fs::path& path) {
   if (reading.problems().empty()) check_finest(study, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   std::set<std::string> taken;
-  for (auto& run : study.runs) taken.insert(run.folder = post::folder_name(run.labels, taken));
+  for (auto& run : study.runs) taken.insert(run.folder = folder_name(run.labels, taken));
   return study;
 }
 

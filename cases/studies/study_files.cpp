@@ -14,7 +14,7 @@
 #include "post/report/html_report.hpp"
 #include "post/report/printed.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 /// True where references of the same quantity differ along this axis alone.
@@ -158,11 +158,11 @@ std::string to_json(const std::string& title, const StudyTable& study) {
 }
 
 void write_study(const StudyTable& study, const StudyTitles& titles, const std::filesystem::path& folder) {
-  write_csv(folder / "study.csv", table(study));
-  write_atomically(folder / "study.json", to_json(titles.title, study));
-  if (refinement(study.rows)) write_csv(folder / "orders.csv", orders_table(study));
-  for (const auto& [name, plot] : study_plots(study, titles)) write_atomically(folder / name, to_svg(plot));
-  write_study_report(folder, titles.title);
+  post::write_csv(folder / "study.csv", table(study));
+  post::write_atomically(folder / "study.json", to_json(titles.title, study));
+  if (refinement(study.rows)) post::write_csv(folder / "orders.csv", orders_table(study));
+  for (const auto& [name, plot] : study_plots(study, titles)) post::write_atomically(folder / name, post::to_svg(plot));
+  post::write_study_report(folder, titles.title);
 }
 
 std::string printed_study(const StudyTable& study, const std::string& title, const std::filesystem::path& folder) {
@@ -170,7 +170,7 @@ std::string printed_study(const StudyTable& study, const std::string& title, con
   if (!orders(study).empty()) text += fmt::format("\nfitted orders\n{}", orders_text(study));
   text += fmt::format("\nseconds by stage\n{}", costs_text(study));
   for (const auto& sentence : advice(study)) text += sentence + "\n";
-  return text + results_in(folder);
+  return text + post::results_in(folder);
 }
 
-}  // namespace post
+}  // namespace cases

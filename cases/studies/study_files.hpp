@@ -4,7 +4,7 @@
 
 #include "cases/studies/study_table.hpp"
 
-namespace post {
+namespace cases {
 
 /// A way to run the cases of a study, by the labels of the axes that do not change the problem, and how exact and how
 /// slow it is at worst over those that do (where references differ from label to label).
@@ -35,4 +35,4 @@ void write_study(const StudyTable& table, const StudyTitles& titles, const std::
 /// The tables, the orders, the seconds by stage and the advice, and where the results are.
 std::string printed_study(const StudyTable& table, const std::string& title, const std::filesystem::path& folder);
 
-}  // namespace post
+}  // namespace cases

@@ -11,7 +11,7 @@
 
 #include "cases/studies/orders.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 constexpr double panel_height = 330;  // [px]; two of them and their legends fill a page
@@ -78,8 +78,8 @@ std::string at(const std::string& place) {
 }
 
 /// The samples of a line that can be drawn.
-Curve curve_of(const StudyTable& study, const StudyLine& line, const Number& t, const Number& y) {
-  Curve result;
+post::Curve curve_of(const StudyTable& study, const StudyLine& line, const Number& t, const Number& y) {
+  post::Curve result;
   for (const std::size_t i : line.rows) {
     const auto x = t(study.rows[i]), value = y(study.rows[i]);
     if (!is_drawn(x) || !is_drawn(value)) continue;
@@ -98,15 +98,15 @@ std::string order_of(const std::vector<Order>& all, const StudyLine& line) {
 }
 
 /// Gives all panels the range of t that their series have together, where that has a width.
-void share_t(std::vector<Panel>& panels) {
+void share_t(std::vector<post::Panel>& panels) {
   std::set<double> all;
   for (const auto& panel : panels)
     for (const auto& series : panel.series) all.insert(series.curve.t.begin(), series.curve.t.end());
   if (all.size() < 2 || *all.rbegin() < 1.001 * *all.begin()) return;
-  for (auto& panel : panels) panel.t_range = Range{*all.begin(), *all.rbegin()};
+  for (auto& panel : panels) panel.t_range = post::Range{*all.begin(), *all.rbegin()};
 }
 
-CurvePlot error_plot(const StudyTable& study, const StudyTitles& titles, const Abscissa& abscissa) {
+post::CurvePlot error_plot(const StudyTable& study, const StudyTitles& titles, const Abscissa& abscissa) {
   const auto along = refinement(study.rows);
   auto axis = along ? std::optional(along->axis) : std::nullopt;
   if (!axis && !study.axes.empty()) axis = study.axes.size() - 1;
@@ -116,16 +116,16 @@ CurvePlot error_plot(const StudyTable& study, const StudyTitles& titles, const A
     return error && *error != 0 ? std::optional(100 * std::abs(*error)) : std::nullopt;
   };
   Looks looks;
-  CurvePlot plot{titles.title, {}};
+  post::CurvePlot plot{titles.title, {}};
   for (const auto& [quantity, place] : places(study)) {
-    Panel panel{abscissa.title, fmt::format("|error| of {}{} [%]", quantity, at(place)), {}};
-    panel.t_scale = panel.y_scale = Scale::logarithmic;
+    post::Panel panel{abscissa.title, fmt::format("|error| of {}{} [%]", quantity, at(place)), {}};
+    panel.t_scale = panel.y_scale = post::Scale::logarithmic;
     panel.height = panel_height;
     for (const auto& line : lines(study.rows, axis)) {
       if (line.first.quantity != quantity || line.first.place != place) continue;
       const std::string name = name_of(study, line, axis), order = order_of(all_orders, line);
-      Series series{name, along ? Line::numbered : Line::marks, curve_of(study, line, abscissa.value, percent),
-                    looks.number(name)};
+      post::Series series{name, along ? post::Line::numbered : post::Line::marks,
+                          curve_of(study, line, abscissa.value, percent), looks.number(name)};
       if (!order.empty()) series.label += name.empty() ? order : fmt::format(" ({})", order);
       if (!series.curve.t.empty()) panel.series.push_back(std::move(series));
     }
@@ -136,13 +136,13 @@ CurvePlot error_plot(const StudyTable& study, const StudyTitles& titles, const A
 }
 
 /// The references of the rows of a panel, each place once.
-Series references(const std::vector<StudyRow>& rows, const Number& t) {
+post::Series references(const std::vector<StudyRow>& rows, const Number& t) {
   std::set<std::pair<double, double>> marks;
   for (const auto& row : rows) {
     const auto x = t(row);
     if (is_drawn(x) && is_drawn(row.reference) && !row.against_finest) marks.emplace(*x, *row.reference);
   }
-  Series series{"reference", Line::rings, {}};
+  post::Series series{"reference", post::Line::rings, {}};
   for (const auto& [x, value] : marks) {
     series.curve.t.push_back(x);
     series.curve.y.push_back(value);
@@ -151,28 +151,29 @@ Series references(const std::vector<StudyRow>& rows, const Number& t) {
 }
 
 /// A quantity against an axis whose labels are numbers: a panel for each place. No panels where no line has two runs.
-CurvePlot value_plot(const StudyTable& study, const StudyTitles& titles, const std::string& quantity,
-                     std::size_t axis) {
+post::CurvePlot value_plot(const StudyTable& study, const StudyTitles& titles, const std::string& quantity,
+                           std::size_t axis) {
   const Number label = [axis](const StudyRow& row) { return number_of(row.labels[axis]); };
   const Number computed = [](const StudyRow& row) { return row.computed; };
-  const std::string si = si_unit(quantity), unit = titles.si && !si.empty() ? fmt::format(" [{}]", si) : "";
+  const std::string si = post::si_unit(quantity), unit = titles.si && !si.empty() ? fmt::format(" [{}]", si) : "";
   Looks looks;
-  CurvePlot plot{titles.title, {}};
+  post::CurvePlot plot{titles.title, {}};
   for (const auto& [name, place] : places(study)) {
     if (name != quantity) continue;
     std::vector<StudyRow> rows;
     for (const auto& row : study.rows)
       if (row.quantity == name && row.place == place) rows.push_back(row);
     const bool peaks = std::ranges::any_of(rows, [](const StudyRow& row) { return row.rms_error.has_value(); });
-    Panel panel{
-        titles.axes[axis], fmt::format("{}{}{}{}", peaks ? "peak of " : "", described(name), at(place), unit), {}};
+    post::Panel panel{titles.axes[axis],
+                      fmt::format("{}{}{}{}", peaks ? "peak of " : "", post::described(name), at(place), unit),
+                      {}};
     panel.height = panel_height;
     bool has_line = false;
     for (const auto& line : lines(study.rows, axis)) {
       if (line.first.quantity != name || line.first.place != place) continue;
       const std::string legend = name_of(study, line, axis);
-      Series series{legend.empty() ? "computed" : legend, Line::numbered, curve_of(study, line, label, computed),
-                    looks.number(legend)};
+      post::Series series{legend.empty() ? "computed" : legend, post::Line::numbered,
+                          curve_of(study, line, label, computed), looks.number(legend)};
       has_line = has_line || series.curve.t.size() > 1;
       if (!series.curve.t.empty()) panel.series.push_back(std::move(series));
     }
@@ -183,9 +184,9 @@ CurvePlot value_plot(const StudyTable& study, const StudyTitles& titles, const s
 }
 
 /// Numbers over more than a decade and a bit are shown on a logarithmic scale.
-Scale scale_of(const std::vector<double>& numbers) {
+post::Scale scale_of(const std::vector<double>& numbers) {
   const auto [low, high] = std::ranges::minmax(numbers);
-  return low > 0 && high > 20 * low ? Scale::logarithmic : Scale::linear;
+  return low > 0 && high > 20 * low ? post::Scale::logarithmic : post::Scale::linear;
 }
 
 /// The different numbers of an axis; none where a label is no number.
@@ -207,34 +208,34 @@ std::size_t numbers_of_points(const StudyTable& study) {
 }
 
 /// Seconds over points: the whole run with its spread, and its stages.
-CurvePlot cost_plot(const StudyTable& study, const StudyTitles& titles) {
-  CurvePlot plot{titles.title, {}};
-  Panel panel{"points of the plate", "run time [s]", {}};
-  panel.t_scale = panel.y_scale = Scale::logarithmic;
+post::CurvePlot cost_plot(const StudyTable& study, const StudyTitles& titles) {
+  post::CurvePlot plot{titles.title, {}};
+  post::Panel panel{"points of the plate", "run time [s]", {}};
+  panel.t_scale = panel.y_scale = post::Scale::logarithmic;
   panel.height = panel_height;
-  const auto add = [&](const std::string& name, Line line, const Number& seconds) {
+  const auto add = [&](const std::string& name, post::Line line, const Number& seconds) {
     std::set<std::pair<double, double>> samples;
     for (const auto& row : study.rows)
       if (const auto spent = seconds(row); row.points && is_drawn(spent) && *spent > 0)
         samples.emplace(double(*row.points), *spent);
-    Series series{name, line, {}, panel.series.size()};
+    post::Series series{name, line, {}, panel.series.size()};
     for (const auto& [points, spent] : samples) series.curve.t.push_back(points), series.curve.y.push_back(spent);
     if (!series.curve.t.empty()) panel.series.push_back(std::move(series));
   };
-  add("total", Line::marks, [](const StudyRow& row) { return row.seconds; });
-  add("shortest", Line::marks, [](const StudyRow& row) { return row.seconds_min; });
-  add("longest", Line::marks, [](const StudyRow& row) { return row.seconds_max; });
+  add("total", post::Line::marks, [](const StudyRow& row) { return row.seconds; });
+  add("shortest", post::Line::marks, [](const StudyRow& row) { return row.seconds_min; });
+  add("longest", post::Line::marks, [](const StudyRow& row) { return row.seconds_max; });
   for (const std::string stage : {"geometry", "families", "parameters", "solve", "srif", "output"})
-    add(stage, Line::marks, [stage](const StudyRow& row) { return std::optional(row.seconds_of(stage)); });
+    add(stage, post::Line::marks, [stage](const StudyRow& row) { return std::optional(row.seconds_of(stage)); });
   if (!panel.series.empty() && numbers_of_points(study) > 1) plot.panels.push_back(std::move(panel));
   return plot;
 }
 
 }  // namespace
 
-std::map<std::string, CurvePlot> study_plots(const StudyTable& study, const StudyTitles& titles) {
-  std::map<std::string, CurvePlot> plots;
-  const auto add = [&](const std::string& name, CurvePlot plot) {
+std::map<std::string, post::CurvePlot> study_plots(const StudyTable& study, const StudyTitles& titles) {
+  std::map<std::string, post::CurvePlot> plots;
+  const auto add = [&](const std::string& name, post::CurvePlot plot) {
     if (!plot.panels.empty()) plots[name + ".svg"] = std::move(plot);
   };
   add("error_against_seconds",
@@ -266,4 +267,4 @@ std::optional<double> number_of(const std::string& label) {
   return value;
 }
 
-}  // namespace post
+}  // namespace cases

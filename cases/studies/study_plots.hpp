@@ -7,7 +7,7 @@
 #include "cases/studies/study_table.hpp"
 #include "post/report/curve_plot.hpp"
 
-namespace post {
+namespace cases {
 
 /// Text of the plots of a study beside its numbers.
 struct StudyTitles {
@@ -20,9 +20,9 @@ struct StudyTitles {
 /// every axis whose labels are numbers QUANTITY_against_AXIS.svg with the computed values and the references. The
 /// lines of errors run along the refinement; without one there are marks, in one look along the last axis. What has
 /// nothing to show is left out.
-std::map<std::string, CurvePlot> study_plots(const StudyTable& study, const StudyTitles& titles);
+std::map<std::string, post::CurvePlot> study_plots(const StudyTable& study, const StudyTitles& titles);
 
 /// The number that a label is.
 std::optional<double> number_of(const std::string& label);
 
-}  // namespace post
+}  // namespace cases

@@ -16,7 +16,7 @@
 #include "post/report/quantity.hpp"
 #include "post/report/terminal.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 constexpr std::size_t most_parts = 10000;  // as many as a study has runs
@@ -29,12 +29,12 @@ std::optional<std::size_t> number_in(const char* begin, const char* end) {
 
 }  // namespace
 
-std::optional<Part> part_of(const std::string& text) {
+std::optional<StudyPart> part_of(const std::string& text) {
   const char *begin = text.data(), *end = begin + text.size(), *stroke = std::find(begin, end, '/');
   if (stroke == end) return std::nullopt;
   const auto number = number_in(begin, stroke), of = number_in(stroke + 1, end);
   if (!number || !of || *number < 1 || *number > *of || *of > most_parts) return std::nullopt;
-  return Part{*number, *of};
+  return StudyPart{*number, *of};
 }
 
 std::string wrong_part(const std::string& text) {
@@ -42,7 +42,7 @@ std::string wrong_part(const std::string& text) {
   return fmt::format("{} given, must be a part as 3/16: from 1/16 to 16/16, of at most {}", text, most_parts);
 }
 
-std::vector<std::size_t> share(const std::vector<std::uint64_t>& weights, const Part& part) {
+std::vector<std::size_t> share(const std::vector<std::uint64_t>& weights, const StudyPart& part) {
   std::vector<std::size_t> order(weights.size()), own;
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return weights[i]; });
@@ -67,7 +67,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
-using Use = NamedLock::Use;
+using Use = post::NamedLock::Use;
 
 constexpr auto patience = 2s;  // for the children of a process that was killed: they end with the system's next look
 constexpr auto pause = 200ms;  // between looks at a run that another process makes
@@ -89,8 +89,8 @@ public:
     for (const auto& row : rows) {
       const bool is_first = &row == &rows.front();
       if ((is_first && !options_.quiet && !options_.merge) || !row.message.empty())
-        say(fmt::format("[{}/{}] {}{}\n", i + 1, study_.jobs.size(), to_text(row),
-                        before && is_first && !options_.merge ? " (done before)" : ""));
+        post::say(fmt::format("[{}/{}] {}{}\n", i + 1, study_.jobs.size(), to_text(row),
+                              before && is_first && !options_.merge ? " (done before)" : ""));
     }
   }
 
@@ -132,14 +132,14 @@ std::string lack(const std::optional<RunRecord>& known, const StudyJob& job, std
   if (known->outcome == RunOutcome::interrupted) return "was interrupted";
   if (known->outcome != RunOutcome::done) return {};
   if (known->cost.repeats < repeats) return fmt::format("made {} times of {}", known->cost.repeats, repeats);
-  return read_summary(folder / job.wanted.run / "summary.json") ? "" : "its results are not there";
+  return post::read_summary(folder / job.wanted.run / "summary.json") ? "" : "its results are not there";
 }
 
 StudyOutcome merged(const StudyJobs& study, const StudyOptions& options, const Ledger& ledger) {
   Made made(study, options);
   for (std::size_t i = 0; i < study.jobs.size(); ++i) {
     const auto& job = study.jobs[i];
-    const NamedLock lock(ledger.locks(), "run " + job.wanted.run, Use::together);  // nobody makes it meanwhile
+    const post::NamedLock lock(ledger.locks(), "run " + job.wanted.run, Use::together);  // nobody makes it meanwhile
     const auto known = ledger.known(job.wanted.run);
     auto missing = job.wanted;
     missing.outcome = RunOutcome::missing;
@@ -148,14 +148,14 @@ StudyOutcome merged(const StudyJobs& study, const StudyOptions& options, const L
   }
   made.write();
   auto outcome = made.outcome();
-  if (outcome.missing > 0) say(fmt::format("{} of {} runs are missing\n", outcome.missing, study.jobs.size()));
+  if (outcome.missing > 0) post::say(fmt::format("{} of {} runs are missing\n", outcome.missing, study.jobs.size()));
   return outcome;
 }
 
 /// The record of a run: as it was made before, or now; nothing where another process makes it.
 std::optional<std::pair<RunRecord, bool>> record_of(const StudyJob& job, std::size_t repeats, const fs::path& folder,
                                                     const Ledger& ledger) {
-  const NamedLock lock(ledger.locks(), "run " + job.wanted.run, Use::alone);
+  const post::NamedLock lock(ledger.locks(), "run " + job.wanted.run, Use::alone);
   if (!lock.held()) return std::nullopt;
   if (auto kept = kept_record(job.wanted, repeats, folder, ledger)) return std::pair(std::move(*kept), true);
   return std::pair(new_record(job.wanted, repeats, folder, ledger, job.run), false);
@@ -164,9 +164,9 @@ std::optional<std::pair<RunRecord, bool>> record_of(const StudyJob& job, std::si
 StudyOutcome make(const StudyJobs& study, const StudyOptions& options, const Ledger& ledger) {
   std::vector<std::uint64_t> weights;
   for (const auto& job : study.jobs) weights.push_back(job.weight);
-  auto left = share(weights, options.part.value_or(Part()));
+  auto left = share(weights, options.part.value_or(StudyPart()));
   if (options.part && !options.quiet)
-    say(fmt::format("part {}: {} of {} runs\n", options.part->text(), left.size(), study.jobs.size()));
+    post::say(fmt::format("part {}: {} of {} runs\n", options.part->text(), left.size(), study.jobs.size()));
   if (options.again)
     for (const std::size_t i : left) ledger.forget(study.jobs[i].wanted.run);
   const plate::StopOnSignals signals;
@@ -193,7 +193,9 @@ StudyOutcome run_study(const StudyJobs& study, const StudyOptions& options) {
   if (options.merge && !fs::exists(ledger.locks()))
     throw StudyRefused("--out", folder.string(), "holds nothing of a study that could be merged");
   fs::create_directories(ledger.locks().parent_path());
-  const auto lock = [&](const std::string& name, Use use) { return NamedLock(ledger.locks(), name, use, patience); };
+  const auto lock = [&](const std::string& name, Use use) {
+    return post::NamedLock(ledger.locks(), name, use, patience);
+  };
   const auto whole = lock("study", options.part || options.merge ? Use::together : Use::alone);
   if (!whole.held()) throw StudyRefused("--out", folder.string(), "another study writes to this folder");
   if (options.merge) {
@@ -206,9 +208,9 @@ StudyOutcome run_study(const StudyJobs& study, const StudyOptions& options) {
   const auto own = lock("part " + part, Use::alone);
   if (!own.held()) throw StudyRefused("--part", part, "another process works on this part in this folder");
   if (!own.works())
-    say(folder.string() +
-        ": this file system knows no locks: start no part twice at the same time, no study beside it\n");
+    post::say(folder.string() +
+              ": this file system knows no locks: start no part twice at the same time, no study beside it\n");
   return make(study, options, ledger);
 }
 
-}  // namespace post
+}  // namespace cases

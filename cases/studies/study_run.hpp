@@ -11,24 +11,24 @@
 #include "cases/studies/ledger.hpp"
 #include "cases/studies/study_plots.hpp"
 
-namespace post {
+namespace cases {
 
 /// A share of the runs of a study: the `number`-th, from 1, of `of`.
-struct Part {
+struct StudyPart {
   std::size_t number = 1, of = 1;
 
   std::string text() const { return std::to_string(number) + "/" + std::to_string(of); }
 };
 
 /// "3/16": decimal digits, 1 <= 3 <= 16 <= 10,000; nothing where it is none.
-std::optional<Part> part_of(const std::string& text);
+std::optional<StudyPart> part_of(const std::string& text);
 
 /// Describes the error in the text of a part; empty where there is none.
 std::string wrong_part(const std::string& text);
 
 /// The runs of a part, as indices in rising order: the dearest first, each to the part that has least to do so far, of
 /// equals the first. Whole numbers, so that all machines find the same shares; every run is in one of them.
-std::vector<std::size_t> share(const std::vector<std::uint64_t>& weights, const Part& part);
+std::vector<std::size_t> share(const std::vector<std::uint64_t>& weights, const StudyPart& part);
 
 /// Estimated cost of a run beside others of its study: (sqrt(area) / spacing)^3, the points of an even plate times its
 /// iterations or steps, which go with the points across it. `area` [length^2], `spacing` [length].
@@ -53,9 +53,9 @@ struct StudyJobs {
 struct StudyOptions {
   std::filesystem::path folder;  // one folder per run, and the tables
   bool quiet = false;
-  bool again = false;             // makes runs anew that are done already
-  std::optional<Part> part = {};  // makes these runs alone, and no tables
-  bool merge = false;             // makes no run: tables of what there is
+  bool again = false;                  // makes runs anew that are done already
+  std::optional<StudyPart> part = {};  // makes these runs alone, and no tables
+  bool merge = false;                  // makes no run: tables of what there is
 };
 
 struct StudyOutcome {
@@ -81,4 +81,4 @@ public:
 /// A line per run, unless quiet; failures are always said. Throws StudyRefused, plate::Interrupted.
 StudyOutcome run_study(const StudyJobs& study, const StudyOptions& options);
 
-}  // namespace post
+}  // namespace cases

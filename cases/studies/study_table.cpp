@@ -13,11 +13,11 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
-namespace post {
+namespace cases {
 namespace {
 
 /// Compares the history of a quantity with a curve.
-void compare_with(StudyRow& row, const KnownCurve& known, const Curve& computed) {
+void compare_with(StudyRow& row, const KnownCurve& known, const post::Curve& computed) {
   row.source = fmt::format("{} {}", known.file.filename().string(), known.column);
   const auto found = compare(computed.t, computed.y, known.curve.t, known.curve.y);
   if (const auto* reason = std::get_if<std::string>(&found)) {
@@ -48,7 +48,7 @@ bool overlap(const Reference& one, const Reference& other) {
   return !apart && one.quantity == other.quantity;
 }
 
-std::vector<Wanted> wanted(const std::vector<Quantity>& listed, const std::vector<Reference>& references,
+std::vector<Wanted> wanted(const std::vector<post::Quantity>& listed, const std::vector<Reference>& references,
                            const std::vector<std::string>& axes, const std::vector<std::string>& labels,
                            const std::function<bool(std::size_t reference, bool matches)>& has) {
   std::vector<Wanted> result;
@@ -125,7 +125,7 @@ double StudyRow::seconds_of(const std::string& stage) const {
   return 0;
 }
 
-std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>& wanted, const Summary& summary,
+std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>& wanted, const post::Summary& summary,
                                  const std::filesystem::path& folder) {
   StudyRow common = run;
   common.points = summary.points;
@@ -143,14 +143,15 @@ std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>&
     row.place = quantity.place();
     row.method = quantity.method;
     row.source = source;
-    row.computed = value(quantity, summary, folder);
-    if (!row.computed) row.message = lack(quantity, summary);
-    if (row.computed) row.estimated = estimated_error(quantity, summary);
+    row.computed = post::value(quantity, summary, folder);
+    if (!row.computed) row.message = post::lack(quantity, summary);
+    if (row.computed) row.estimated = post::estimated_error(quantity, summary);
     if (!reference || !row.computed) continue;
     row.scale = scale;
     row.against_finest = std::holds_alternative<Finest>(*reference);
     if (const auto* number = std::get_if<double>(&*reference)) row.reference = *number;
-    if (const auto* known = std::get_if<KnownCurve>(&*reference)) compare_with(row, *known, history(quantity, folder));
+    if (const auto* known = std::get_if<KnownCurve>(&*reference))
+      compare_with(row, *known, post::history(quantity, folder));
   }
   return rows.empty() ? std::vector{common} : rows;
 }
@@ -163,52 +164,53 @@ std::string shown(const char* format, const std::optional<Number>& number) {
 }
 
 /// The seconds of a stage; nothing of a run that has not ended well.
-Cell cell_of(const StudyRow& row, const char* stage) {
-  return row.stage_seconds.empty() ? Cell() : Cell(row.seconds_of(stage));
+post::Cell cell_of(const StudyRow& row, const char* stage) {
+  return row.stage_seconds.empty() ? post::Cell() : post::Cell(row.seconds_of(stage));
 }
 
 /// A column that study.csv and the printed table have beside those of the axes.
 struct Column {
   const char *name, *title;  // in study.csv; printed, or nullptr
-  std::function<Cell(const StudyRow&)> cell;
+  std::function<post::Cell(const StudyRow&)> cell;
   std::function<std::string(const StudyRow&)> text;  // nothing: the word of the cell, to the left
 };
 
 const std::vector<Column>& own_columns() {
   using Row = const StudyRow&;
   static const std::vector<Column> columns{
-      {"quantity", "quantity", [](Row row) { return cell(row.quantity); }, {}},
-      {"place", "place", [](Row row) { return cell(row.place); }, {}},
-      {"srif_method", "method", [](Row row) { return cell(row.method); }, {}},
-      {"computed", "computed", [](Row row) { return cell(row.computed); },
+      {"quantity", "quantity", [](Row row) { return post::cell(row.quantity); }, {}},
+      {"place", "place", [](Row row) { return post::cell(row.place); }, {}},
+      {"srif_method", "method", [](Row row) { return post::cell(row.method); }, {}},
+      {"computed", "computed", [](Row row) { return post::cell(row.computed); },
        [](Row row) { return shown("{:.6g}", row.computed); }},
-      {"reference", "reference", [](Row row) { return cell(row.reference); },
+      {"reference", "reference", [](Row row) { return post::cell(row.reference); },
        [](Row row) { return shown("{:.6g}", row.reference); }},
-      {"error", "error %", [](Row row) { return cell(row.error()); },
+      {"error", "error %", [](Row row) { return post::cell(row.error()); },
        [](Row row) { return row.error() ? fmt::format("{:+.3f}", 100 * *row.error()) : ""; }},
-      {"estimated_error", "estimated %", [](Row row) { return cell(row.estimated_error()); },
+      {"estimated_error", "estimated %", [](Row row) { return post::cell(row.estimated_error()); },
        [](Row row) { return row.estimated_error() ? fmt::format("{:.2g}", 100 * *row.estimated_error()) : ""; }},
-      {"points", "points", [](Row row) { return cell(row.points); }, [](Row row) { return shown("{}", row.points); }},
-      {"spacing", "spacing", [](Row row) { return cell(row.spacing); },
+      {"points", "points", [](Row row) { return post::cell(row.points); },
+       [](Row row) { return shown("{}", row.points); }},
+      {"spacing", "spacing", [](Row row) { return post::cell(row.spacing); },
        [](Row row) { return shown("{:.5g}", row.spacing); }},
-      {"horizon", "horizon", [](Row row) { return cell(row.horizon); },
+      {"horizon", "horizon", [](Row row) { return post::cell(row.horizon); },
        [](Row row) { return shown("{:.5g}", row.horizon); }},
-      {"iterations", "iterations", [](Row row) { return cell(row.iterations); },
+      {"iterations", "iterations", [](Row row) { return post::cell(row.iterations); },
        [](Row row) { return shown("{}", row.iterations); }},
-      {"seconds", "seconds", [](Row row) { return cell(row.seconds); },
+      {"seconds", "seconds", [](Row row) { return post::cell(row.seconds); },
        [](Row row) { return shown("{:.2f}", row.seconds); }},
-      {"solve_seconds", "solve", [](Row row) { return cell(row.solve_seconds); },
+      {"solve_seconds", "solve", [](Row row) { return post::cell(row.solve_seconds); },
        [](Row row) { return shown("{:.2f}", row.solve_seconds); }},
-      {"seconds_min", nullptr, [](Row row) { return cell(row.seconds_min); }, {}},
-      {"seconds_max", nullptr, [](Row row) { return cell(row.seconds_max); }, {}},
+      {"seconds_min", nullptr, [](Row row) { return post::cell(row.seconds_min); }, {}},
+      {"seconds_max", nullptr, [](Row row) { return post::cell(row.seconds_max); }, {}},
       {"geometry_seconds", nullptr, [](Row row) { return cell_of(row, "geometry"); }, {}},
       {"families_seconds", nullptr, [](Row row) { return cell_of(row, "families"); }, {}},
       {"parameters_seconds", nullptr, [](Row row) { return cell_of(row, "parameters"); }, {}},
       {"srif_seconds", nullptr, [](Row row) { return cell_of(row, "srif"); }, {}},
       {"output_seconds", nullptr, [](Row row) { return cell_of(row, "output"); }, {}},
-      {"reference_source", nullptr, [](Row row) { return cell(row.source); }, {}},
-      {"outcome", nullptr, [](Row row) { return cell(name_of(row.outcome)); }, {}},
-      {"message", "", [](Row row) { return cell(row.message); }, {}}};
+      {"reference_source", nullptr, [](Row row) { return post::cell(row.source); }, {}},
+      {"outcome", nullptr, [](Row row) { return post::cell(name_of(row.outcome)); }, {}},
+      {"message", "", [](Row row) { return post::cell(row.message); }, {}}};
   return columns;
 }
 
@@ -224,7 +226,7 @@ bool is_wanted_in_text(const StudyTable& study, const Column& column) {
   if (!column.title) return false;
   const std::string name = column.name;
   if (name != "srif_method" && name != "reference" && name != "error" && name != "estimated_error") return true;
-  return std::ranges::any_of(study.rows, [&](const StudyRow& row) { return column.cell(row) != Cell(); });
+  return std::ranges::any_of(study.rows, [&](const StudyRow& row) { return column.cell(row) != post::Cell(); });
 }
 
 }  // namespace
@@ -238,12 +240,12 @@ const std::vector<std::string>& study_columns() {
   return names;
 }
 
-Table table(const StudyTable& study) {
+post::Table table(const StudyTable& study) {
   const auto own = columns_beside(study.axes);
-  Table result{study.axes, {}};
+  post::Table result{study.axes, {}};
   for (const auto& column : own) result.columns.emplace_back(column.name);
   for (const auto& row : study.rows) {
-    std::vector<Cell> cells(row.labels.begin(), row.labels.end());
+    std::vector<post::Cell> cells(row.labels.begin(), row.labels.end());
     for (const auto& column : own) cells.push_back(column.cell(row));
     result.rows.push_back(std::move(cells));
   }
@@ -252,7 +254,7 @@ Table table(const StudyTable& study) {
 
 std::string costs_text(const StudyTable& study) {
   constexpr std::array stages{"geometry", "families", "parameters", "solve", "srif", "output"};
-  std::vector<TextColumn> columns;
+  std::vector<post::TextColumn> columns;
   for (const auto& axis : study.axes) columns.push_back({axis, false, {}});
   for (const char* name : {"median s", "least", "most"}) columns.push_back({name, true, {}});
   for (const char* name : stages) columns.push_back({name, true, {}});
@@ -266,7 +268,7 @@ std::string costs_text(const StudyTable& study) {
     for (const char* name : stages) cells.push_back(fmt::format("{:.3f}", row.seconds_of(name)));
     for (std::size_t i = 0; i < cells.size(); ++i) columns[i].cells.push_back(cells[i]);
   }
-  return aligned(columns);
+  return post::aligned(columns);
 }
 
 std::string to_text(const StudyRow& row) {
@@ -281,12 +283,12 @@ std::string to_text(const StudyRow& row) {
   if (row.points) parts.push_back(fmt::format("{} points", *row.points));
   if (row.iterations) parts.push_back(fmt::format("{} iterations", *row.iterations));
   if (row.seconds) parts.push_back(fmt::format("{:.1f} s", *row.seconds));
-  if (!row.message.empty()) parts.push_back(one_line(row.message));
+  if (!row.message.empty()) parts.push_back(post::one_line(row.message));
   return fmt::format("{}{}{}", fmt::join(row.labels, ", "), row.labels.empty() ? "" : ": ", fmt::join(parts, ", "));
 }
 
 std::string to_text(const StudyTable& study) {
-  std::vector<TextColumn> columns;
+  std::vector<post::TextColumn> columns;
   const auto add = [&](const std::string& title, bool number, const std::function<std::string(const StudyRow&)>& text) {
     columns.push_back({title, number, {}});
     for (const auto& row : study.rows) columns.back().cells.push_back(text(row));
@@ -299,11 +301,11 @@ std::string to_text(const StudyTable& study) {
       add(column.title, true, column.text);
     else
       add(column.title, false, [&](const StudyRow& row) {
-        const Cell found = column.cell(row);
-        return one_line(std::holds_alternative<std::string>(found) ? std::get<std::string>(found) : "");
+        const post::Cell found = column.cell(row);
+        return post::one_line(std::holds_alternative<std::string>(found) ? std::get<std::string>(found) : "");
       });
   }
-  return aligned(columns);
+  return post::aligned(columns);
 }
 
-}  // namespace post
+}  // namespace cases

@@ -12,10 +12,12 @@
 #include "post/report/quantity.hpp"
 
 namespace post {
+struct Table;
+}
+
+namespace cases {
 
 enum class RunOutcome;
-
-struct Table;
 
 /// The reference is the run of the finest points: see `refer_to_finest`.
 struct Finest {};
@@ -24,14 +26,14 @@ struct Finest {};
 struct KnownCurve {
   std::filesystem::path file;
   std::string column;
-  Curve curve = {};
+  post::Curve curve = {};
 };
 
 using Known = std::variant<double, Finest, KnownCurve>;  // a number of 0 needs a scale
 
 /// Reference of a quantity in all runs with these labels.
 struct Reference {
-  Quantity quantity;
+  post::Quantity quantity;
   std::map<std::string, std::string> where = {};  // axis -> label; the other axes match any label
   Known known = 0.0;
   std::string source = {};
@@ -47,7 +49,7 @@ bool overlap(const Reference& one, const Reference& other);
 
 /// A quantity of one run, and what it should be where that is known.
 struct Wanted {
-  Quantity quantity;
+  post::Quantity quantity;
   std::optional<Known> reference;
   std::string source = {};
   std::optional<double> scale = std::nullopt;  // of the reference
@@ -56,7 +58,7 @@ struct Wanted {
 /// Quantities wanted of the run with these labels: the listed quantities, which it has, then the distinct others of all
 /// references, in their order, as far as the run has them. `has` says whether it has the quantity of a reference, which
 /// `matches` the run or does not.
-std::vector<Wanted> wanted(const std::vector<Quantity>& listed, const std::vector<Reference>& references,
+std::vector<Wanted> wanted(const std::vector<post::Quantity>& listed, const std::vector<Reference>& references,
                            const std::vector<std::string>& axes, const std::vector<std::string>& labels,
                            const std::function<bool(std::size_t reference, bool matches)>& has);
 
@@ -96,7 +98,7 @@ struct StudyRow {
 
 /// The rows of a finished run, one per quantity, or one without quantity where none is wanted. `run` has what is the
 /// same in all of them and does not come from the summary: labels, spacing, horizon.
-std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>& wanted, const Summary& summary,
+std::vector<StudyRow> study_rows(const StudyRow& run, const std::vector<Wanted>& wanted, const post::Summary& summary,
                                  const std::filesystem::path& folder);
 
 /// Error against run time, over many runs.
@@ -110,7 +112,7 @@ struct StudyTable {
 const std::vector<std::string>& study_columns();
 
 /// The rows of study.csv.
-Table table(const StudyTable& study);
+post::Table table(const StudyTable& study);
 
 /// The seconds of all runs by stage, with their spread, as an aligned table.
 std::string costs_text(const StudyTable& study);
@@ -121,4 +123,4 @@ std::string to_text(const StudyRow& row);
 /// An aligned table: one line per row, errors in percent.
 std::string to_text(const StudyTable& study);
 
-}  // namespace post
+}  // namespace cases

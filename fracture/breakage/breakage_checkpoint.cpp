@@ -1,8 +1,6 @@
 #include "fracture/breakage/breakage_checkpoint.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 

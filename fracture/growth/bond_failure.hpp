@@ -5,6 +5,8 @@
 
 namespace fracture {
 
+class PointNumbers;
+
 /// Largest energy release rate that a crack needs for steady growth under a criterion for bonds, over the fracture
 /// energy that the criterion was made for: measured, theory.md, "Apparent toughness".
 double apparent_toughness(Growth::Criterion criterion, double thickness, const plate::Discretization& discretization);
@@ -28,8 +30,6 @@ private:
   bool tension_only_, by_energy_;
   double energy_ = 0, curvature_, shear_;
 };
-
-class PointNumbers;
 
 /// A bond and its demand (BondLimits). Its ends as PointNumbers has them.
 struct LoadedBond {

@@ -45,6 +45,8 @@ std::string in_words(const MovingGrowthOutcome& outcome) {
   std::string result;
   if (outcome.broken)
     result = *outcome.broken == 0 ? "no bond broke" : fmt::format("{} bonds broken", *outcome.broken);
+  else if (outcome.advances == 0 && outcome.under_way > 0)
+    result = fmt::format("{} pieces of crack have begun, none has ended", outcome.under_way);
   else
     result = outcome.advances == 0 ? "no growth" : fmt::format("{} pieces of crack", outcome.advances);
   if (!outcome.reached.empty()) result += fmt::format(", {} reached", fmt::join(outcome.reached, ", "));

@@ -7,6 +7,11 @@
 
 #include "geometry/shape/outline.hpp"
 
+namespace plate {
+class Formulation;
+struct Section;
+}  // namespace plate
+
 namespace fracture {
 
 /// Growth of cracks: when, where to, and under what control (theory.md, "Growth").
@@ -96,6 +101,7 @@ struct Ended {
 /// Outcome of a growth in motion.
 struct MovingGrowthOutcome {
   std::size_t advances = 0;                 // pieces of crack, or steps in which bonds broke
+  std::size_t under_way = 0;                // pieces of crack that have begun and not ended
   std::optional<std::size_t> broken;        // bonds
   std::vector<std::string> reached;         // edges, holes and cracks by tips
   std::vector<std::string> stopped = {};    // tips whose direction is not resolved, and when
@@ -113,15 +119,6 @@ std::string in_words(const Ended& ended, bool by_bonds);
 
 /// Describes the outcome of a growth in motion.
 std::string in_words(const MovingGrowthOutcome& outcome);
-
-}  // namespace fracture
-
-namespace plate {
-class Formulation;
-struct Section;
-}  // namespace plate
-
-namespace fracture {
 
 /// Warnings of a growth by bonds at this discretisation: where the apparent toughness was not measured for it, and what
 /// bonds cannot do. Empty for growth by tips.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "post/factors/plate_factors.hpp"
 

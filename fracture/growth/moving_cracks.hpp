@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <deque>
 #include <optional>
 
@@ -51,14 +52,16 @@ public:
 
   const std::vector<geometry::CrackPath>& paths() const { return paths_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Number of tips whose last piece has begun and not ended.
+  std::size_t under_way() const {
+    return std::size_t(std::ranges::count_if(tips_, [](const auto& tip) { return tip.running.has_value(); }));
+  }
   const std::vector<StoppedTip>& stopped() const { return stopped_; }
   /// True where a tip whose direction is not known has gone straight on.
   bool direction_unknown() const { return direction_unknown_; }
   /// Energy taken so far, and length gone.
   double fracture_energy() const { return spent_; }
   double length() const { return length_; }
-  /// Speed that no tip exceeds: 0.93 of the shear wave's, about Rayleigh's [length/time].
-  double speed_limit() const { return speed_limit_; }
   /// Tips that may still advance, by their number at the start.
   std::vector<std::pair<std::size_t, geometry::Tip>> tips() const;
 

@@ -207,7 +207,7 @@ const Record& MovingTips::record() {
 MovingGrowthOutcome MovingTips::outcome() const {
   auto result = outcome_so_far();
   const auto& pieces = cracks_.pieces();
-  result.advances = pieces.size();
+  result.advances = pieces.size(), result.under_way = cracks_.under_way();
   for (const auto& piece : pieces) {
     if (!piece.reached.empty()) result.reached.push_back(piece.reached);
     result.largest_speed = std::max(result.largest_speed, (piece.to - piece.from).norm() / (piece.end - piece.begin));
@@ -222,7 +222,8 @@ MovingGrowthOutcome MovingTips::outcome() const {
                                            asked * 180 / std::numbers::pi, error * 180 / std::numbers::pi));
   }
   result.direction_unknown = cracks_.direction_unknown();
-  result.spent = growth_.spent(cracks_.fracture_energy(), start_.section().thickness, cracks_.length());
+  if (!pieces.empty())
+    result.spent = growth_.spent(cracks_.fracture_energy(), start_.section().thickness, cracks_.length());
   for (const auto& path : cracks_.paths()) result.lengths.push_back(geometry::length(path.vertices));
   return result;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fracture/growth/archive.hpp"
+#include "plate/model/errors.hpp"
 
 namespace fracture {
 namespace {

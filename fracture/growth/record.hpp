@@ -5,6 +5,10 @@
 #include "post/files/frame.hpp"
 #include "post/files/table.hpp"
 
+namespace plate {
+struct Problem;
+}
+
 namespace fracture {
 
 /// Energy terms of a growth [energy]. What is released beyond what the crack takes would be kinetic.
@@ -45,14 +49,6 @@ private:
   bool first_ = true;
   double factor_ = 0, displacement_ = 0, held_ = 0, most_displacement_ = 0;
 };
-
-}  // namespace fracture
-
-namespace plate {
-struct Problem;
-}
-
-namespace fracture {
 
 /// A row of growth.csv: one advance, whatever grew. What does not exist in a growth stays empty.
 struct GrowthRow {

@@ -103,12 +103,9 @@ public:
     DrawnCells result;
     const auto count = std::uint32_t(lattice_.size());
     std::vector<std::uint32_t> number(point_);
-    std::vector<char> drawn(count, 0), wanted(point_.size(), 0);
+    std::vector<char> wanted(point_.size(), 0);
     for (std::uint32_t k = 0; k < point_.size(); ++k) {
-      if (point_[k] != none) {
-        drawn[point_[k]] = 1;
-        continue;
-      }
+      if (point_[k] != none) continue;
       number[k] = count + std::uint32_t(result.corners.size());
       result.corners.push_back({units.from_lattice(cells_.positions[k] - half), {}});
       wanted[k] = 1;
@@ -128,7 +125,6 @@ public:
     for_cells(result, [&](std::uint32_t* corner, std::size_t corners) {
       for (std::size_t c = 0; c < corners; ++c) corner[c] = number[corner[c]];
     });
-    result.without_cell = std::size_t(std::ranges::count(drawn, 0));
     return result;
   }
 

@@ -15,8 +15,6 @@ struct DrawnCells {
   // of points, and after them of corners
   std::vector<Tessellation::Square> squares;
   std::vector<Tessellation::Triangle> triangles;
-  /// Points that no cell has: where numbers have put them onto the other side of an edge.
-  std::size_t without_cell = 0;
 };
 
 /// `lattice`: the points, in lattice units. Where a crack runs through a point, this is on the side of +x, or of +y

@@ -204,14 +204,6 @@ private:
   std::vector<std::int32_t> open_;
 };
 
-}  // namespace
-
-void refine(TriangleMesh& mesh, const Sizing& sizing) {
-  Refinement(mesh, sizing).run();
-}
-
-namespace {
-
 constexpr int rounds = 5;
 
 /// Marks the points of a mesh that are nodes of its curves: single places among them are on no side of a triangle that
@@ -269,6 +261,10 @@ double quality(const Point& a, const Point& b, const Point& c) {
 }
 
 }  // namespace
+
+void refine(TriangleMesh& mesh, const Sizing& sizing) {
+  Refinement(mesh, sizing).run();
+}
 
 void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
   const auto fixed = nodes_of(curves, mesh);

@@ -99,25 +99,10 @@ std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, c
     const auto owner = std::size_t(part.partition.owner(cell));
     of_owner[owner].push_back(k), asked[owner].push_back(cell);
   }
-  std::vector<std::string> texts;
-  for (const auto& cells : asked) texts.push_back(text_of(cells));
-  const auto questions = all.exchanged(std::move(texts));
   const geometry::CellIndex index(boundary.lattice);
-  std::vector<std::string> answers;
-  for (const auto& question : questions) {
-    std::vector<std::uint32_t> answer;
-    for (const Cell& cell : values_of<Cell>(question))
-      answer.push_back(index.at(geometry::Point(double(cell[0]) + 0.5, double(cell[1]) + 0.5)).value());
-    answers.push_back(text_of(answer));
-  }
-  const auto replies = all.exchanged(std::move(answers));
-  std::vector<Copy> result;
-  for (std::size_t owner = 0; owner < size; ++owner) {
-    const auto numbers = values_of<std::uint32_t>(replies[owner]);
-    for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back({of_owner[owner][i], int(owner), numbers[i]});
-  }
-  std::sort(result.begin(), result.end(), [](const Copy& a, const Copy& b) { return a.point < b.point; });
-  return result;
+  return indices_at_owners(all, of_owner, asked, [&](const Cell& cell) {
+    return index.at(geometry::Point(double(cell[0]) + 0.5, double(cell[1]) + 0.5)).value();
+  });
 }
 
 /// Fictitious points: those that follow a w are of whom that is, the others of whose block is nearest. Whatever is held

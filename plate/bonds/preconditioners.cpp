@@ -140,24 +140,7 @@ Transfer::Transfer(const geometry::Families& families, const Boundary& boundary)
       fine_.shares.push_back({s.coarse, float(s.weight), float(s.weight * s.away.x()), float(s.weight * s.away.y())});
     fine_.first[k + 1] = fine_.shares.size();
   }
-  coarse_ = transposed(fine_, cell_.size());
-}
-
-Transfer::Shares Transfer::transposed(const Shares& shares, std::size_t others) {
-  Shares result;
-  result.first.assign(others + 1, 0);
-  for (const auto& share : shares.shares) ++result.first[share.other + 1];
-  for (std::size_t i = 0; i < others; ++i) result.first[i + 1] += result.first[i];
-  result.shares.resize(shares.shares.size());
-  auto next = result.first;
-  for (std::uint32_t k = 0; k + 1 < shares.first.size(); ++k)
-    for (auto i = shares.first[k]; i < shares.first[k + 1]; ++i) {
-      Share share = shares.shares[i];
-      const auto at = next[share.other]++;
-      share.other = k;
-      result.shares[at] = share;
-    }
-  return result;
+  coarse_ = fine_.transposed(cell_.size());
 }
 
 // w = sum weight w_c - x theta_y + y theta_x: no shear strain between the points
@@ -166,7 +149,7 @@ void Transfer::prolong(const State& coarse, State& fine) const {
   for (std::size_t k = 0; k < fine_.first.size() - 1; ++k) {
     PointValues sum = PointValues::Zero();
     for (auto i = fine_.first[k]; i < fine_.first[k + 1]; ++i) {
-      const Share& s = fine_.shares[i];
+      const auto& s = fine_.shares[i];
       const auto u = coarse.col(Eigen::Index(s.other));
       const double weight = s.weight;
       sum += PointValues(weight * u[0] + s.y * u[1] - s.x * u[2], weight * u[1], weight * u[2]);
@@ -181,7 +164,7 @@ void Transfer::restrict_to(State& coarse, const Forces& fine) const {
   for (std::size_t c = 0; c < coarse_points(); ++c) {
     PointValues sum = PointValues::Zero();
     for (auto i = coarse_.first[c]; i < coarse_.first[c + 1]; ++i) {
-      const Share& s = coarse_.shares[i];
+      const auto& s = coarse_.shares[i];
       const auto f = fine.col(Eigen::Index(s.other));
       const double weight = s.weight;
       sum += PointValues(weight * f[0], weight * f[1] + s.y * f[0], weight * f[2] - s.x * f[0]);
@@ -402,19 +385,15 @@ private:
   std::unique_ptr<DistributedInverse> inverse_;
 };
 
+constexpr int sweeps = 2;       // before and after
+constexpr double weight = 0.6;  // of a sweep
+
 }  // namespace
 
 std::unique_ptr<CoarsePlate> coarse_plate(const Operator& L, const Transfer& transfer, const Boundary& boundary) {
   if (boundary.map.distributed()) return std::make_unique<DistributedCoarsePlate>(L, transfer, boundary);
   return std::make_unique<FactorisedCoarsePlate>(coarse_stiffness(L, transfer, boundary.constraints));
 }
-
-namespace {
-
-constexpr int sweeps = 2;       // before and after
-constexpr double weight = 0.6;  // of a sweep
-
-}  // namespace
 
 TwoLevelPreconditioner::TwoLevelPreconditioner(const FamilyOperator& plate, const Boundary& boundary,
                                                const Section& section, const Discretization& discretization)

@@ -6,6 +6,7 @@
 #include "plate/bonds/stiffness.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/state.hpp"
 #include "plate/solve/factorised_plate.hpp"
@@ -62,19 +63,9 @@ public:
   void restrict_to(State& coarse, const Forces& fine) const;  // the transpose: coarse = R fine
 
 private:
-  struct Share {
-    std::uint32_t other;  // coarse point of a fine one; fine point of a coarse one
-    float weight, x, y;   // x, y: weight times lever of theta_y (negative) and theta_x [length]
-  };
-  struct Shares {
-    std::vector<std::size_t> first;
-    std::vector<Share> shares;
-  };
-  static Shares transposed(const Shares& shares, std::size_t others);
-
   std::vector<Cell> cell_;
   std::vector<std::uint32_t> fine_point_;
-  Shares fine_, coarse_;  // of every fine point, of every coarse point
+  LevelTransfer<float> fine_, coarse_;  // of every fine point, of every coarse point
 };
 
 /// Coarse points by their cells.

@@ -143,14 +143,6 @@ LatticeBody lattice_body(int dimension, std::vector<Index> real, int reach, cons
   return b;
 }
 
-LatticeBody box_body(const std::vector<int>& counts, int reach) {
-  Index last(0, 0, 0);
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, counts.size()); ++i) last[Eigen::Index(i)] = counts[i] - 1;
-  std::vector<Index> places;
-  each_place({0, 0, 0}, last, [&](const Index& place) { places.push_back(place); });
-  return lattice_body(int(counts.size()), std::move(places), reach, [](const Index&, int, int) { return 0.5; });
-}
-
 namespace {
 
 constexpr double on_edge = 1e-9;  // spacings: bonds that cross an edge of faces, but for rounding

@@ -64,9 +64,6 @@ LatticeBody lattice_body(int dimension, std::vector<LatticeBody::Index> real, in
 /// @throws std::invalid_argument  a dimension other than 1, 2, 3; no nodes
 LatticeBody lattice_body(int dimension, std::vector<LatticeBody::Index> real, int reach);
 
-/// A bar, a rectangle or a box of `counts` nodes, faces half a spacing beyond its nodes.
-LatticeBody box_body(const std::vector<int>& counts, int reach);
-
 /// Rule for the faces to which the force of a bond that leaves the body belongs. crossing_point: to the face that it
 /// crosses, half or a quarter of it where it crosses an edge or a vertex of faces (Sca23 35, alpha). lever: along the
 /// bond cut at t of its length, t to the face in whose column its outer node lies and 1 - t to that of its inner node,

@@ -2,7 +2,6 @@
 
 #include "plate/edges/boundary_conditions.hpp"
 #include "plate/edges/surface_plate.hpp"
-#include "plate/model/errors.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {
@@ -95,20 +94,6 @@ double added_forces(const SparseStiffness& stiffness, const SurfacePlate& p, con
   double sum = 0;
   for (int k = 0; k < p.body.real; ++k) sum += std::abs(added[dof(k, 0)]) + added.segment<2>(dof(k, 1)).norm() / arm;
   return sum;
-}
-
-Eigen::VectorXd multiplied_solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {
-  const auto [right, held] = edge_problem(p, edges, load);
-  if (rigid_motions(p, held) > 0) throw Refused({{Subject::support, 0, "the supports leave the plate free to move"}});
-  const Eigen::Index real = unknowns_per_point * p.body.real, surface = right.size() - real;
-  std::vector<char> is_held(std::size_t(surface), false);
-  for (const auto& one : held) is_held[std::size_t(one.unknown - real)] = true;
-  const auto [stiffness, idle] = multiplied_plate(p, is_held);
-  auto all_held = held;
-  for (const int one : idle) all_held.push_back({one, 0});
-  Eigen::VectorXd loads = Eigen::VectorXd::Zero(stiffness.rows());
-  loads.head(right.size()) = right;
-  return constrained_solution(stiffness, loads, all_held).values.head(real);
 }
 
 }  // namespace plate

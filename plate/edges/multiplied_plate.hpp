@@ -30,9 +30,4 @@ MultipliedPlate multiplied_plate(const SurfacePlate& plate, const std::vector<ch
 double added_forces(const SparseStiffness& stiffness, const SurfacePlate& plate, const Eigen::VectorXd& values,
                     double arm);
 
-/// Values of real nodes under these conditions and loads.
-/// @throws Refused         where the plate can move, and as multiplied_plate() does
-/// @throws NumericalError  where conditions contradict each other
-Eigen::VectorXd multiplied_solution(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
-
 }  // namespace plate

@@ -145,17 +145,6 @@ void check_horizon(const Problem& problem, EdgeMethod method) {
           problem.discretization.spacing * most / horizon));
 }
 
-}  // namespace
-
-void check(const Problem& problem, const std::vector<geometry::CrackPath>& paths, EdgeMethod method) {
-  check_outline(problem, method);
-  if (method == EdgeMethod::surface_nodes) check_oblique(problem);
-  check_cracks(problem, paths, method);
-  check_horizon(problem, method);
-}
-
-namespace {
-
 [[noreturn]] void refuse(Subject subject, std::string what, std::size_t number = 0) {
   throw Refused({{subject, number, std::move(what)}});
 }
@@ -358,6 +347,13 @@ geometry::Families tied(geometry::Families families, const SurfacePlate& plate, 
 }
 
 }  // namespace
+
+void check(const Problem& problem, const std::vector<geometry::CrackPath>& paths, EdgeMethod method) {
+  check_outline(problem, method);
+  if (method == EdgeMethod::surface_nodes) check_oblique(problem);
+  check_cracks(problem, paths, method);
+  check_horizon(problem, method);
+}
 
 SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method) {
   auto paths = crack_paths(problem);

@@ -45,15 +45,6 @@ struct SurfacePlate {
   double beyond(int s) const;           // how far the edge lies beyond the border of the outermost cell [length]
 };
 
-/// The points of a lattice, of which `corner` is the corner of a cell, inside the rectangle from `low` to `high`.
-/// @throws Refused  a rectangle without points
-LatticeBody rectangle_body(const geometry::Point& low, const geometry::Point& high, const geometry::Point& corner,
-                           double spacing, int reach);
-
-/// A plate on the lattice whose cells begin in its lower left corner.
-SurfacePlate surface_plate(const Section& section, const Discretization& discretization, const geometry::Point& low,
-                           const geometry::Point& high);
-
 /// Constructs a plate of any outline on the lattice of geometry::lattice; orders (2, 1) unless all edges are along the
 /// axes.
 /// @throws Refused  as rectilinear_body() and oblique_edges() do
@@ -90,13 +81,6 @@ EdgeProblem edge_problem(const SurfacePlate& plate, const EdgeConditions& edges,
 
 /// The stiffness under these conditions: stiffness(), or oblique_stiffness() with rows of what they hold.
 SparseStiffness stiffness_under(const SurfacePlate& plate, const EdgeConditions& edges);
-
-/// Number of the three rigid motions that leave all that is held at rest.
-int rigid_motions(const SurfacePlate& plate, const std::vector<PrescribedUnknown>& held);
-
-/// Values of real and surface nodes, and what holds the held unknowns, in their order.
-/// @throws Refused  where the plate can move, and as stiffness() does
-ConstrainedSolution solution(const SurfacePlate& plate, const EdgeConditions& edges, const AreaLoad& load);
 
 using StiffnessRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 

@@ -33,10 +33,6 @@ void add_product(const ElasticSupport& a, double factor, const Values<Real>& sta
   for_each_row(a, state, unchanged, [&](std::uint32_t row, double sum) { f[row] += Real(factor * sum); });
 }
 
-}  // namespace
-
-namespace {
-
 /// forces += factor K state, of a unilateral foundation where it is in contact.
 template <typename Real>
 void add_bilateral(const ElasticSupport& a, double factor, const Values<Real>& state, Values<Real>& forces) {

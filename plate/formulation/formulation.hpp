@@ -14,22 +14,21 @@ struct Cloud;
 }  // namespace geometry
 
 namespace plate {
+
 class Communicator;
 class Constraints;
 class FamilyOperator;
 class Inertia;
 class PointSections;
-class Preconditioner;
 class TipView;
 struct Boundary;
-struct Discretization;
 struct Layout;
 struct Mechanisms;
 struct Mesh;
 struct Piece;
+struct PlaceShare;
 struct Resultants;
 struct Section;
-struct PlaceShare;
 struct TimedLoad;
 
 /// The choice that was made. Without `inverse`: the diagonal.

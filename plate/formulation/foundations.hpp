@@ -6,7 +6,14 @@
 #include "plate/formulation/elastic_supports.hpp"
 #include "plate/model/state.hpp"
 
+namespace geometry {
+struct Cloud;
+struct Tessellation;
+}  // namespace geometry
+
 namespace plate {
+
+struct Foundation;
 
 /// Unilateral foundation: presses where w < 0 and does not pull. The energy of every place is
 /// stiffness / 2 min(w, 0)^2 with w a form in some degrees of freedom. The force is continuous, so that steps of a
@@ -53,17 +60,6 @@ private:
   std::vector<std::size_t> first_of_row_;
   std::vector<std::pair<std::uint32_t, double>> of_row_;  // place, factor
 };
-
-}  // namespace plate
-
-namespace geometry {
-struct Cloud;
-struct Tessellation;
-}  // namespace geometry
-
-namespace plate {
-
-struct Foundation;
 
 /// The stiffness of a foundation under points in the middles of cells: its pressure under a deflection that is linear
 /// in each cell acts as any pressure does (theory.md, "Elastic foundations"), the shear by differences between

@@ -26,6 +26,34 @@ struct PlaceShare {
   geometry::Point lever{0, 0};  // [length]
 };
 
+/// Transfer of displacements from the points of a coarser plate to those of a finer one, or back: the shares that every
+/// point takes of others. The deflection takes what rotations add to it in a plate without shear.
+template <typename Real>
+struct LevelTransfer {
+  struct Share {
+    std::uint32_t other;
+    Real weight, x, y;  // x, y: weight times lever of theta_y (negative) and theta_x [length]
+  };
+  std::vector<std::size_t> first;  // where the shares of a point begin [points + 1]
+  std::vector<Share> shares;
+
+  /// `others`: number of the points that shares are taken of.
+  LevelTransfer transposed(std::size_t others) const {
+    LevelTransfer result;
+    result.first.assign(others + 1, 0);
+    for (const auto& share : shares) ++result.first[share.other + 1];
+    for (std::size_t i = 0; i < others; ++i) result.first[i + 1] += result.first[i];
+    result.shares.resize(shares.size());
+    auto next = result.first;
+    for (std::uint32_t k = 0; k + 1 < first.size(); ++k)
+      for (auto i = first[k]; i < first[k + 1]; ++i) {
+        const Share& share = shares[i];
+        result.shares[next[share.other]++] = {k, share.weight, share.x, share.y};
+      }
+    return result;
+  }
+};
+
 /// Degrees of freedom (plate/model/space.hpp) and their factors.
 using DofTerms = std::vector<std::pair<std::uint32_t, double>>;
 

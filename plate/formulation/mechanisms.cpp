@@ -236,10 +236,6 @@ void find_twists(const Boundary& boundary, const RigidParts& parts, const Forces
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// The nearest point along bonds that has bonds in two directions; absent in a chain of its own.
 std::optional<std::uint32_t> next_rigid(std::uint32_t from, const RigidParts& parts,
                                         const geometry::Families& families) {

@@ -193,10 +193,6 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
   return gram;
 }
 
-}  // namespace
-
-namespace {
-
 /// The pieces and their numbers, the largest first.
 std::vector<std::pair<std::int64_t, Piece>> numbered(const Boundary& boundary,
                                                      const std::vector<std::int64_t>& piece_of) {

@@ -4,8 +4,9 @@
 #include "plate/formulation/elastic_supports.hpp"
 
 namespace geometry {
+struct Cloud;
 struct Tessellation;
-}
+}  // namespace geometry
 
 namespace plate {
 
@@ -18,17 +19,6 @@ void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cel
 
 /// Mass of all stiffeners at every point [mass]; empty where none has any.
 std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells);
-
-}  // namespace plate
-
-namespace geometry {
-struct Cloud;
-struct Tessellation;
-}  // namespace geometry
-
-namespace plate {
-
-struct Problem;
 
 /// Constructs all foundations and springs of a problem on points in the middles of cells.
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud);

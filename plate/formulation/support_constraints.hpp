@@ -8,8 +8,7 @@
 
 namespace plate {
 
-struct Boundary;
-struct Side;
+struct Problem;
 
 /// Offsets of held degrees of freedom where settlements move the supports: every rule of a support applies to the
 /// difference from the motion of the support (theory.md, "Supports that move"). Without settlements everything here is
@@ -39,8 +38,6 @@ private:
   const Boundary* boundary_;
   std::vector<SupportMotion> motions_;
 };
-
-struct Problem;
 
 /// Adds what supports along lines and on parts of the plate hold. Of a part: the points in it. Along a line: at every
 /// point next to it the value at the piece of the line that is next to the point, w + (x - x_k) . psi.

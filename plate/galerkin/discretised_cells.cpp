@@ -38,10 +38,6 @@ std::vector<geometry::Point> places_of_forces(const Problem& c) {
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// Edges beside which twist and shear change within the layer h / sqrt(12 k_s).
 std::vector<std::string> layered_edges(const Problem& c) {
   auto result = geometry::edge_names({c.outline.outer, {}});

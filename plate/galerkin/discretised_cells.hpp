@@ -10,6 +10,8 @@
 
 namespace plate {
 
+struct Problem;
+
 /// The points and cells of a plate with all spacings `factor` times as wide. Throws std::invalid_argument where cracks
 /// and edges are too close to each other for them.
 geometry::Tessellation cells_of(const Problem& problem, const std::vector<geometry::CrackPath>& paths, double factor);
@@ -46,8 +48,6 @@ struct DiscretisedPart {
 /// @throws Refused
 DiscretisedPart discretised_part(const Problem& problem, std::vector<geometry::CrackPath> paths, GlobalCells whole,
                                  const Communicator& all, Stopwatch& stopwatch);
-
-struct Problem;
 
 /// Estimated size of one rank's part of a distributed Galerkin plate.
 struct PartEstimate {

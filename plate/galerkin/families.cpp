@@ -112,10 +112,6 @@ GalerkinFamilies weighted(geometry::Families families, const Tessellation& cells
   return result;
 }
 
-}  // namespace
-
-namespace {
-
 /// The first point with squares all about it and its neighbours, and the families about it.
 std::optional<std::pair<GalerkinFamilies, std::uint32_t>> first_of_lattice(const Tessellation& whole) {
   const auto inside = inside_lattice(whole);
@@ -211,12 +207,12 @@ double softness(const Eigen::Matrix3d& bending) {
 
 }  // namespace
 
-GalerkinStiffness::GalerkinStiffness(const LocalSection& section, double spacing_square, const GalerkinWeights& weights)
-    : bending(section.bending), bending_residual(softness(section.bending) * weights.bending_residual) {
+// t_b = 0.5, f = h^2 / (h^2 + 0.05 spacing^2), t_s = 1, e = h^2 / (h^2 + spacing^2)
+GalerkinStiffness::GalerkinStiffness(const LocalSection& section, double spacing_square)
+    : bending(section.bending), bending_residual(softness(section.bending) * 0.5) {
   const double square = section.thickness * section.thickness;
-  shear = square / (square + weights.shear_scaling * spacing_square) * section.shear;
-  shear_residual =
-      weights.shear_residual * square / (square + weights.residual_scaling * spacing_square) * section.shear;
+  shear = square / (square + 0.05 * spacing_square) * section.shear;
+  shear_residual = square / (square + spacing_square) * section.shear;
 }
 
 FamilyStrains family_strains(const GalerkinFamilies& families, std::size_t k, const State& state) {

@@ -63,27 +63,15 @@ struct ConsistencyResiduals {
 ConsistencyResiduals consistency_residuals(const GalerkinFamilies& families, const geometry::Tessellation& cells,
                                            const std::vector<char>& own = {});
 
-}  // namespace plate
-
-/// Family of the Galerkin plate (theory.md, "The Galerkin plate"); psi = (-theta_y, theta_x).
-namespace plate {
-
-/// Weights of the parts of its energy.
-struct GalerkinWeights {
-  double bending_residual = 0.5;  // t_b, of the bending residuals of bonds
-  double shear_residual = 1;      // t_s, of their shear residuals
-  double shear_scaling =
-      0.05;  // f = h^2 / (h^2 + this spacing^2): soft where points are wider apart than the plate is thick
-  double residual_scaling = 1;  // e, in the same way
-};
+// Family of the Galerkin plate (theory.md, "The Galerkin plate"); psi = (-theta_y, theta_x).
 
 /// Stiffnesses of one family, by the square of the spacing about it.
 struct GalerkinStiffness {
   Eigen::Matrix3d bending;                // of kappa xx, yy, 2 xy
-  Eigen::Matrix2d shear, shear_residual;  // f S, t_s e S
+  Eigen::Matrix2d shear, shear_residual;  // f S, t_s e S: f and e soften it where points are wider apart than h
   double bending_residual;                // t_b, of `bending`
 
-  GalerkinStiffness(const LocalSection& section, double spacing_square, const GalerkinWeights& weights = {});
+  GalerkinStiffness(const LocalSection& section, double spacing_square);
 };
 
 /// D by a bond along n: the energy of psi_a = r_a (n . x) is r . B r / 2.

@@ -56,14 +56,14 @@ constexpr double share = 1.5;  // weight of a sweep times the largest eigenvalue
 
 }  // namespace
 
-LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
-                          const std::vector<char>& own) {
+LevelTransfer<double> transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
+                                  const std::vector<char>& own) {
   const geometry::CellLocator locate(coarse);
   std::vector<geometry::CellLocator::Found> found(seen.size());
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (own.empty() || own[k]) found[k] = locate(seen[k], seen[k]);
-  LevelTransfer result;
+  LevelTransfer<double> result;
   result.first.push_back(0);
   for (std::size_t k = 0; k < seen.size(); ++k) {
     for (std::size_t i = 0; i < found[k].count; ++i) {
@@ -74,21 +74,6 @@ LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geomet
     }
     result.first.push_back(result.shares.size());
   }
-  return result;
-}
-
-GalerkinMultigrid::Transfer GalerkinMultigrid::transposed(const Transfer& transfer, std::size_t others) {
-  Transfer result;
-  result.first.assign(others + 1, 0);
-  for (const auto& share : transfer.shares) ++result.first[share.other + 1];
-  for (std::size_t i = 0; i < others; ++i) result.first[i + 1] += result.first[i];
-  result.shares.resize(transfer.shares.size());
-  auto next = result.first;
-  for (std::size_t k = 0; k + 1 < transfer.first.size(); ++k)
-    for (auto s = transfer.first[k]; s < transfer.first[k + 1]; ++s) {
-      const auto& share = transfer.shares[s];
-      result.shares[next[share.other]++] = {std::uint32_t(k), share.weight, share.x, share.y};
-    }
   return result;
 }
 
@@ -105,7 +90,7 @@ GalerkinMultigrid::GalerkinMultigrid(const GalerkinOperator& plate, const Constr
     s.from_coarser = coarser_[level].sum
                          ? std::move(coarser_[level].to_finer)
                          : transfer_to(level == 0 ? seen : coarser_[level - 1].seen, coarser_[level].cells);
-    s.to_coarser = transposed(s.from_coarser, coarser_[level].plate.points());
+    s.to_coarser = s.from_coarser.transposed(coarser_[level].plate.points());
     sweeps_.push_back(std::move(s));
   }
   const auto& [cells, beside, boundary, last, to_finer, sum] = coarser_.back();
@@ -176,7 +161,7 @@ std::size_t GalerkinMultigrid::bytes() const {
     sum +=
         level.plate.bytes() + level.plate.families().families.bytes() + level.seen.size() * 2 * sizeof(geometry::Point);
   for (const auto& s : sweeps_)
-    sum += 2 * s.from_coarser.shares.size() * sizeof(LevelTransfer::Share) + 6 * s.rest.size() * sizeof(double);
+    sum += 2 * s.from_coarser.shares.size() * sizeof(LevelTransfer<double>::Share) + 6 * s.rest.size() * sizeof(double);
   return sum;
 }
 
@@ -238,7 +223,7 @@ private:
 
   const Problem& problem_;
   geometry::Tessellation inside_;  // the cells about the first point inside it
-  LevelTransfer to_finer_;
+  LevelTransfer<double> to_finer_;
   PartOfCells part_;
   Boundary boundary_;
   std::shared_ptr<const SumByOwners> sum_;

@@ -1,5 +1,6 @@
 #pragma once
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/interpolation.hpp"
 #include "plate/galerkin/operator.hpp"
 #include "plate/galerkin/supports.hpp"
 #include "plate/model/communicator.hpp"
@@ -23,20 +24,10 @@ private:
   std::vector<std::vector<std::uint32_t>> received_;  // from every rank: of these owned points
 };
 
-/// Transfer from the points of a coarser plate to those of a finer one, or back: what every point takes of others.
-struct LevelTransfer {
-  struct Share {
-    std::uint32_t other;
-    double weight, x, y;  // x, y: half the weight times the way from there [length]
-  };
-  std::vector<std::size_t> first;
-  std::vector<Share> shares;
-};
-
 /// Constructs the transfer to points of a finer plate from the cells of a coarser one. `own`: the points that take
 /// anything; empty: all.
-LevelTransfer transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
-                          const std::vector<char>& own = {});
+LevelTransfer<double> transfer_to(const std::vector<geometry::Point>& seen, const geometry::Tessellation& coarse,
+                                  const std::vector<char>& own = {});
 
 /// A Galerkin plate with its supports; `seen`: geometry::positions_inside_faces() of its cells.
 struct MultigridLevel {
@@ -45,7 +36,7 @@ struct MultigridLevel {
   Boundary boundary;
   GalerkinOperator plate;
   // where the plate is distributed:
-  LevelTransfer to_finer = {};                  // from its points
+  LevelTransfer<double> to_finer = {};          // from its points
   std::shared_ptr<const SumByOwners> sum = {};  // of forces on its points
 };
 
@@ -63,17 +54,15 @@ public:
   std::size_t bytes() const override;
 
 private:
-  using Transfer = LevelTransfer;  // from the points of the next coarser plate to those of this one, and back
   struct Sweeps {
     const GalerkinOperator* plate;
     const Constraints* constraints;
-    Forces inverse_diagonal;  // times the weight of a sweep
-    Transfer from_coarser, to_coarser;
+    Forces inverse_diagonal;                         // times the weight of a sweep
+    LevelTransfer<double> from_coarser, to_coarser;  // from the points of the next coarser plate, and back
     mutable Forces rest, product, coarse_force;
     mutable State coarse;
   };
 
-  static Transfer transposed(const Transfer& transfer, std::size_t others);
   void cycle(std::size_t level, const Forces& residual, State& result) const;
 
   std::vector<MultigridLevel> coarser_;

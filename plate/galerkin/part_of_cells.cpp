@@ -157,23 +157,9 @@ std::vector<Copy> numbered(const Communicator& all, const std::vector<int>& owne
   for (std::uint32_t i = 0; i < part.number.size(); ++i)
     if (const int owner = owners[part.part.number[i]]; owner != all.rank())
       here[std::size_t(owner)].push_back(i), asked[std::size_t(owner)].push_back(part.number[i]);
-  std::vector<std::string> texts;
-  for (const auto& numbers : asked) texts.push_back(text_of(numbers));
-  std::vector<std::string> answers;
-  for (const auto& question : all.exchanged(std::move(texts))) {
-    std::vector<std::uint32_t> answer;
-    for (const auto number : values_of<std::uint32_t>(question))
-      answer.push_back(std::uint32_t(std::ranges::lower_bound(part.number, number) - part.number.begin()));
-    answers.push_back(text_of(answer));
-  }
-  const auto replies = all.exchanged(std::move(answers));
-  std::vector<Copy> result;
-  for (std::size_t owner = 0; owner < size; ++owner) {
-    const auto numbers = values_of<std::uint32_t>(replies[owner]);
-    for (std::size_t i = 0; i < numbers.size(); ++i) result.push_back({here[owner][i], int(owner), numbers[i]});
-  }
-  std::ranges::sort(result, {}, &Copy::point);
-  return result;
+  return indices_at_owners(all, here, asked, [&](std::uint32_t number) {
+    return std::uint32_t(std::ranges::lower_bound(part.number, number) - part.number.begin());
+  });
 }
 
 constexpr double widest_ring = 28;  // spacings at the tips: the largest is 24 wide, and its points see others

@@ -9,7 +9,7 @@
 
 namespace plate {
 
-struct Load;
+struct MovingForces;
 struct Problem;
 
 /// The points and cells of a plate; of a distributed lattice, only its description.
@@ -42,9 +42,6 @@ CellsWithOverlap cells_with_overlap(const Communicator& all, const Problem& prob
 /// The first point with squares all about it and its neighbours, with the cells that tell its weights; empty where
 /// there is none.
 geometry::Tessellation about_first_inside(const GlobalCells& whole);
-
-struct MovingForces;
-struct Problem;
 
 /// Part that one rank holds of the cells of a distributed plate: its owned points, ghosts that their forces and plots
 /// need, and ghosts about its crack tips.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "plate/model/problem.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {

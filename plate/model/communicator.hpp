@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -11,6 +12,7 @@
 namespace plate {
 
 class HaloExchange;
+struct Traffic;
 
 /// A point that a process has a copy of: where it is there, and whose it is.
 struct Copy {
@@ -37,7 +39,6 @@ public:
   virtual void apply(std::span<double> values) const = 0;
 };
 
-struct Traffic;
 /// Product y = A x of a symmetric matrix and a vector, of the unknowns of the rank. Collective.
 using DistributedProduct = std::function<void(std::span<const double> x, std::span<double> y)>;
 
@@ -70,6 +71,10 @@ public:
   virtual void largest(std::span<double> values) const = 0;
   /// `texts`: one for every rank; returns what every rank has sent here.
   virtual std::vector<std::string> exchanged(std::vector<std::string> texts) const = 0;
+  /// The texts of all ranks, each of which sends the same to every other.
+  std::vector<std::string> text_of_each(const std::string& own) const {
+    return exchanged(std::vector<std::string>(std::size_t(size()), own));
+  }
   virtual std::unique_ptr<HaloExchange> halo_exchange(std::size_t points, const std::vector<Copy>& copies) const = 0;
   virtual std::unique_ptr<DistributedInverse> inverse(const DistributedRows& rows) const = 0;
   /// Traffic that this rank has received so far; null where it is not counted.
@@ -95,6 +100,28 @@ std::vector<T> values_of(const std::string& text) {
   std::vector<T> values(text.size() / sizeof(T));
   if (!values.empty()) std::memcpy(values.data(), text.data(), text.size());
   return values;
+}
+
+/// Asks the owners of ghosts for the indices that these have there; returns the ghosts in ascending order. By rank:
+/// `ghosts`, the points that the rank owns, and `keys`, by which it finds them: `index(key)`. Collective.
+template <typename Key, typename Index>
+std::vector<Copy> indices_at_owners(const Communicator& all, const std::vector<std::vector<std::uint32_t>>& ghosts,
+                                    const std::vector<std::vector<Key>>& keys, const Index& index) {
+  std::vector<std::string> questions, answers;
+  for (const auto& asked : keys) questions.push_back(text_of(asked));
+  for (const auto& question : all.exchanged(std::move(questions))) {
+    std::vector<std::uint32_t> found;
+    for (const auto& key : values_of<Key>(question)) found.push_back(index(key));
+    answers.push_back(text_of(found));
+  }
+  const auto replies = all.exchanged(std::move(answers));
+  std::vector<Copy> result;
+  for (std::size_t owner = 0; owner < ghosts.size(); ++owner) {
+    const auto indices = values_of<std::uint32_t>(replies[owner]);
+    for (std::size_t i = 0; i < indices.size(); ++i) result.push_back({ghosts[owner][i], int(owner), indices[i]});
+  }
+  std::ranges::sort(result, {}, &Copy::point);
+  return result;
 }
 
 }  // namespace plate

@@ -10,6 +10,10 @@
 #include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 
+namespace geometry {
+struct Tessellation;
+}
+
 namespace plate {
 
 /// Integrals of a function f over a part of the plate: of f, of f (x - about) and of |f|, and the possible error of the
@@ -61,15 +65,6 @@ std::vector<EdgeBorder> edge_borders(const std::string& name, const geometry::Cl
 
 /// Returns the one of `points` that is nearest to x.
 std::uint32_t nearest(const std::vector<std::uint32_t>& points, const geometry::Cloud& cloud, const geometry::Point& x);
-
-}  // namespace plate
-
-namespace geometry {
-struct Cloud;
-struct Tessellation;
-}  // namespace geometry
-
-namespace plate {
 
 /// Loads that are spread over a part of the plate or along a line, as nodal forces that have their resultants and the
 /// moments of these (conjugate to w, theta_x, theta_y) [3 x points].

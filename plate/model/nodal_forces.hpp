@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/shape/crack_path.hpp"
+#include "geometry/shape/outline.hpp"
 #include "plate/model/history.hpp"
 #include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
@@ -17,6 +19,8 @@ struct Tessellation;
 namespace plate {
 
 struct Load;
+struct Problem;
+struct Section;
 
 /// Nodal forces of a load that moves along a path: at a few points each time, linear in time between stations. Where
 /// the plate is distributed, those on the points that one sees.
@@ -49,15 +53,6 @@ MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
                            const PointMap& map = {});
 
-}  // namespace plate
-
-namespace geometry {
-struct Cloud;
-struct Tessellation;
-}  // namespace geometry
-
-namespace plate {
-
 /// A load case: generalised nodal forces times a factor of time; of a settlement none, but where it puts what is held
 /// while all that is free rests (Constraints::lift).
 struct TimedLoad {
@@ -84,8 +79,6 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const PointMap& map = {});
 
-struct Problem;
-
 /// Motion of a support under a settlement: as a rigid body, and every edge about itself.
 struct SupportMotion {
   std::size_t load, support;  // their numbers
@@ -102,9 +95,6 @@ struct SupportMotion {
 
 /// Support motions of all loads of the kind settlement, at factor 1.
 std::vector<SupportMotion> support_motions(const Problem& problem);
-
-struct Problem;
-struct Section;
 
 /// kappa_0 = alpha (temperature at z = h/2 less that at z = -h/2) / h: the curvature in all directions that the plate
 /// would take if nothing hindered it, psi = -kappa_0 (x, y), theory (78) [1 / length], at the first `count` positions.

@@ -9,7 +9,9 @@
 namespace plate {
 
 class Communicator;
+struct Discretised;
 struct FormulationKind;
+struct Problem;
 
 /// omega(xi)
 enum class Influence { inverse /* horizon / length */, constant /* 1 */ };
@@ -62,9 +64,6 @@ struct Discretization {
   /// Spacing about the tips of cracks [length].
   double spacing_at_tips() const { return tip_spacing.value_or(spacing); }
 };
-
-struct Problem;
-struct Discretised;
 
 /// Capability that not every formulation has.
 enum class Feature {

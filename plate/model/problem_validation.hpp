@@ -7,8 +7,6 @@
 
 namespace plate {
 
-struct Problem;
-
 /// True for a point in the plate, or on its boundary.
 bool on_plate(const geometry::Outline& outline, const geometry::Point& point);
 

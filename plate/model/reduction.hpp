@@ -62,8 +62,7 @@ void wait_for_all(const Shared& shared) {
 /// Returns the text of every rank.
 template <typename Shared>
 std::vector<std::string> texts_of_all(const Shared& shared, const std::string& own) {
-  const Communicator& all = communicator_of(shared);
-  return all.exchanged(std::vector<std::string>(std::size_t(all.size()), own));
+  return communicator_of(shared).text_of_each(own);
 }
 
 /// Gathers the values of all ranks, one rank after the other.

@@ -11,8 +11,6 @@ struct Problem;
 /// have or what a support of the same edge holds; foundations and springs beside edges that no images stand for.
 std::vector<Refusal> errors_in_springs(const Problem& problem);
 
-struct Problem;
-
 /// Settlements of supports that there are not, that hold nothing of what is moved, or that meet others which hold the
 /// same place elsewhere; settlements beside nodes at edges.
 std::vector<Refusal> errors_in_settlements(const Problem& problem);

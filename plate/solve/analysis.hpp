@@ -7,9 +7,11 @@
 
 namespace plate {
 
+enum class AnalysisKind { static_, dynamic, frequencies, harmonic };
+
 /// Kind of analysis of a plate, with its methods and parameters.
 struct Analysis {
-  enum class Kind { static_, dynamic, frequencies, harmonic };
+  using Kind = AnalysisKind;
   enum class Method { adr, cg, direct, central_difference, lanczos };
   enum class Precision { double_, mixed };
   enum class Start { undeformed, equilibrium };
@@ -41,23 +43,23 @@ struct Analysis {
 };
 
 /// Name of a kind of analysis in case files and results.
-inline const char* name_of(Analysis::Kind kind) {
+inline const char* name_of(AnalysisKind kind) {
   switch (kind) {
-    case Analysis::Kind::static_:
+    case AnalysisKind::static_:
       return "static";
-    case Analysis::Kind::dynamic:
+    case AnalysisKind::dynamic:
       return "dynamic";
-    case Analysis::Kind::frequencies:
+    case AnalysisKind::frequencies:
       return "frequencies";
-    case Analysis::Kind::harmonic:
+    case AnalysisKind::harmonic:
       break;
   }
   return "harmonic";
 }
 
 /// Kind of analysis of a name; none of any other text.
-inline std::optional<Analysis::Kind> analysis_kind(std::string_view name) {
-  using enum Analysis::Kind;
+inline std::optional<AnalysisKind> analysis_kind(std::string_view name) {
+  using enum AnalysisKind;
   for (const auto kind : {static_, dynamic, frequencies, harmonic})
     if (name == name_of(kind)) return kind;
   return std::nullopt;

@@ -12,9 +12,45 @@
 
 #include "plate/solve/archive_types.hpp"
 
-/// Serialization of the checkpoint of a run, for source files that know all of its types. Classes have a serialize()
-/// with the members that cannot be recomputed; structures are taken apart by a structured binding, which does not
-/// compile once a member is forgotten.
+// Serialization of the checkpoint of a run, for source files that know all of its types. Classes have a serialize()
+// with the members that cannot be recomputed; structures are archived as a whole (archived_members).
+namespace plate {
+
+/// Number of members of a structure that is archived as a whole, in the order of its members; 0: archived otherwise.
+template <typename Structure>
+constexpr int archived_members = 0;
+
+}  // namespace plate
+
+namespace cereal {
+
+/// Archives all members of a structure. The structured bindings do not compile once a member is forgotten.
+template <typename Archive, typename Structure>
+requires(plate::archived_members<Structure> > 0) void serialize(Archive& archive, Structure& structure) {
+  constexpr int members = plate::archived_members<Structure>;
+  if constexpr (members == 2) {
+    auto& [a, b] = structure;
+    archive(a, b);
+  } else if constexpr (members == 3) {
+    auto& [a, b, c] = structure;
+    archive(a, b, c);
+  } else if constexpr (members == 4) {
+    auto& [a, b, c, d] = structure;
+    archive(a, b, c, d);
+  } else if constexpr (members == 5) {
+    auto& [a, b, c, d, e] = structure;
+    archive(a, b, c, d, e);
+  } else if constexpr (members == 6) {
+    auto& [a, b, c, d, e, f] = structure;
+    archive(a, b, c, d, e, f);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j] = structure;
+    archive(a, b, c, d, e, f, g, h, i, j);
+  }
+}
+
+}  // namespace cereal
+
 namespace Eigen {
 
 template <typename Archive, typename Scalar, int rows, int columns, int options>

@@ -30,14 +30,6 @@ double norm(const Formulation& plate, const Forces& forces, const Forces& diagon
   return std::sqrt(ordered_sum<1>(plate, std::size_t(forces.size()), of_dof)[0]);
 }
 
-}  // namespace
-
-bool has_prescribed_displacements(const Formulation& plate) {
-  return std::ranges::any_of(plate.loads(), [](const TimedLoad& load) { return load.lifts(); });
-}
-
-namespace {
-
 /// `factor` of every load.
 template <typename Factor>
 State sum_of_lifts(const std::vector<TimedLoad>& loads, const Factor& factor) {
@@ -51,6 +43,10 @@ State sum_of_lifts(const std::vector<TimedLoad>& loads, const Factor& factor) {
 }
 
 }  // namespace
+
+bool has_prescribed_displacements(const Formulation& plate) {
+  return std::ranges::any_of(plate.loads(), [](const TimedLoad& load) { return load.lifts(); });
+}
 
 State total_lift(const Formulation& plate) {
   return sum_of_lifts(plate.loads(), [](const TimedLoad&) { return 1.0; });

@@ -11,7 +11,8 @@
 namespace plate {
 
 class Constraints;
-class Preconditioner;
+class Formulation;
+struct Analysis;
 
 /// Tolerance of a static solution. The residual is |r| / |load| with |r|^2 = sum r_i^2 / K_ii over the free degrees of
 /// freedom (K_ii of P^T diag(K) P): forces and couples count by the displacement that they cause, whatever the units.
@@ -53,9 +54,6 @@ StaticSolution conjugate_gradients(const Operator& plate, const Constraints& con
 StaticSolution refined(const Operator& plate, const Constraints& constraints, const Forces& load,
                        const StaticOptions& options, const Preconditioner& inverse);
 
-class Formulation;
-struct Analysis;
-
 /// The equilibrium of a plate, and how it was found.
 struct StaticResult {
   StaticSolution solution;
@@ -82,8 +80,6 @@ State start_of(const Formulation& plate, const Analysis& analysis);
 /// Best affordable approximation to the inverse of a held plate for many loads: its factor, or, where it has many
 /// points, its coarser plates (multigrid). `plate` must outlive it.
 std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate);
-
-class Preconditioner;
 
 /// Equilibria of one plate, which must outlive this, under one load after the other: the factor or the preconditioner
 /// is made once, and conjugate gradients begin at that sum of their earlier solutions whose energy is least. With

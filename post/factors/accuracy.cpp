@@ -233,22 +233,6 @@ double worst_error(const Srif& srif, double thickness) {
   return std::max({*srif.errors[0], *srif.errors[1], thickness * *srif.errors[2]});
 }
 
-}  // namespace
-
-std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refined, std::size_t tips, double thickness,
-                                    double nominal) {
-  if ((refined.empty() ? 0 : refined.front().size()) < tips) return std::nullopt;
-  const Scales scales(refined, thickness, nominal);
-  double result = 0;
-  for (const auto& row : refined)
-    for (const auto& srif : row)
-      if (const double scale = scales(srif.tip); scale > 0)
-        result = std::max(result, worst_error(srif, thickness) / scale);
-  return result;
-}
-
-namespace {
-
 /// Widens errors to the factors of the same tips after a later discretisation, unless that knows much less of a tip.
 void widen_to(const std::vector<std::vector<Srif>>& later, std::vector<std::vector<Srif>>& rows, double thickness) {
   constexpr double much = 3;
@@ -264,6 +248,18 @@ void widen_to(const std::vector<std::vector<Srif>>& later, std::vector<std::vect
 }
 
 }  // namespace
+
+std::optional<double> largest_error(const std::vector<std::vector<Srif>>& refined, std::size_t tips, double thickness,
+                                    double nominal) {
+  if ((refined.empty() ? 0 : refined.front().size()) < tips) return std::nullopt;
+  const Scales scales(refined, thickness, nominal);
+  double result = 0;
+  for (const auto& row : refined)
+    for (const auto& srif : row)
+      if (const double scale = scales(srif.tip); scale > 0)
+        result = std::max(result, worst_error(srif, thickness) / scale);
+  return result;
+}
 
 BestFactors best_of(std::vector<std::vector<std::vector<Srif>>> refined, std::size_t tips, double thickness,
                     double nominal) {

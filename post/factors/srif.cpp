@@ -19,10 +19,6 @@ void at_least(Srif& srif, const std::array<double, 3>& other) {
     srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]));
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::array<std::pair<SrifMethod, const char*>, 7> names_of_methods{
     {{SrifMethod::virtual_crack_extension, "virtual_crack_extension"},
      {SrifMethod::domain_integral, "domain_integral"},
@@ -51,19 +47,6 @@ bool of_opening(SrifMethod method) {
 
 double largest_factor(const Srif& srif, double thickness) {
   return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
-}
-
-double error_of_leading(const std::vector<Srif>& factors, double thickness) {
-  double largest = 0;
-  std::optional<std::size_t> tip;
-  for (const auto& srif : factors) {
-    if (std::exchange(tip, srif.tip) == srif.tip) continue;
-    const std::array sizes{std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness};
-    const auto leading = std::size_t(std::ranges::max_element(sizes) - sizes.begin());
-    const double error = srif.errors[leading].value_or(0) * (leading == 2 ? thickness : 1);
-    if (sizes[leading] > 0) largest = std::max(largest, error / sizes[leading]);
-  }
-  return largest;
 }
 
 void widen(Srif& srif, const Srif& coarser, double thickness) {

@@ -103,10 +103,6 @@ bool of_opening(SrifMethod method);
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);
 
-/// Estimated error of the largest of |K1|, |K2|, |K3| h, relative to it: how well the energy release rate is known. Of
-/// all tips the largest, by the recommended method, which is the first of each.
-double error_of_leading(const std::vector<Srif>& factors, double thickness);
-
 /// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
 void widen(Srif& srif, const Srif& coarser, double thickness);
 

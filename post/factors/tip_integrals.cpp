@@ -140,14 +140,6 @@ private:
   std::vector<RingPoint> points_;
 };
 
-}  // namespace
-
-std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring) {
-  return std::make_unique<DomainIntegral>(plate, frame, ring);
-}
-
-namespace {
-
 /// Length over which the crack runs straight back from its tip; another end of it counts at 0.7 of its distance,
 /// because the field there is singular too (an integral over a ring up to the other tip of a crack 25 spacings long was
 /// 1.5 % off).
@@ -164,6 +156,10 @@ double straight_length(const geometry::CrackPath& path, const geometry::Tip& tip
 }
 
 }  // namespace
+
+std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring) {
+  return std::make_unique<DomainIntegral>(plate, frame, ring);
+}
 
 double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip, double spacing) {

@@ -7,42 +7,6 @@
 /// Serialization of what is recorded of a run (plate/solve/archive.hpp).
 namespace post {
 
-template <typename Archive>
-void serialize(Archive& archive, Table& table) {
-  auto& [columns, rows] = table;
-  archive(columns, rows);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, CrackLine& line) {
-  auto& [vertices, advances] = line;
-  archive(vertices, advances);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, CrackTip& tip) {
-  auto& [number, crack, position, factors] = tip;
-  archive(number, crack, position, factors);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, Cracks& cracks) {
-  auto& [lines, tips] = cracks;
-  archive(lines, tips);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, RingSrif& ring) {
-  auto& [inner, outer, G, K1, K2, K3] = ring;
-  archive(inner, outer, G, K1, K2, K3);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, FitSrif& fit) {
-  auto& [inner, outer, K1, K2, K3] = fit;
-  archive(inner, outer, K1, K2, K3);
-}
-
 /// Archives a method by its name.
 template <typename Archive>
 void archive_name(Archive& archive, SrifMethod& method) {
@@ -69,28 +33,25 @@ void serialize(Archive& archive, Srif& srif) {
           samples);
 }
 
-template <typename Archive>
-void serialize(Archive& archive, Peak& peak) {
-  auto& [quantity, tip, value, time, position, outside] = peak;
-  archive(quantity, tip, value, time, position, outside);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, Wrench& wrench) {
-  auto& [force, moment_x, moment_y] = wrench;
-  archive(force, moment_x, moment_y);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, ReactionSummary::Support& support) {
-  auto& [name, position] = support;
-  archive(name, position);
-}
-
-template <typename Archive>
-void serialize(Archive& archive, Balance& balance) {
-  auto& [supports, loads, inertia, residual] = balance;
-  archive(supports, loads, inertia, residual);
-}
-
 }  // namespace post
+
+template <>
+inline constexpr int plate::archived_members<post::Table> = 2;
+template <>
+inline constexpr int plate::archived_members<post::CrackLine> = 2;
+template <>
+inline constexpr int plate::archived_members<post::CrackTip> = 4;
+template <>
+inline constexpr int plate::archived_members<post::Cracks> = 2;
+template <>
+inline constexpr int plate::archived_members<post::RingSrif> = 6;
+template <>
+inline constexpr int plate::archived_members<post::FitSrif> = 5;
+template <>
+inline constexpr int plate::archived_members<post::Peak> = 6;
+template <>
+inline constexpr int plate::archived_members<post::Wrench> = 3;
+template <>
+inline constexpr int plate::archived_members<post::ReactionSummary::Support> = 2;
+template <>
+inline constexpr int plate::archived_members<post::Balance> = 4;

@@ -259,9 +259,8 @@ std::optional<Checkpoints::Found> Checkpoints::read(std::vector<std::string>& re
     std::string problem;
     const auto main = read_main(folder_ / name, of_, problem);
     if (main) problem = error_in_parts(*all_, folder_, *main);
-    const auto found = plate::texts_of_all(*all_, main              ? "+" + problem
-                                                  : problem.empty() ? ""
-                                                                    : "-" + problem);  // nothing: none
+    const std::string own = main ? "+" + problem : problem.empty() ? "" : "-" + problem;  // nothing: none
+    const auto found = plate::texts_of_all(*all_, own);
     const auto missing = std::ranges::count(found, std::string());
     const auto wrong = std::ranges::find_if(found, [](const std::string& one) { return one.size() > 1; });
     if (wrong != found.end())

@@ -4,7 +4,14 @@
 #include "post/factors/srif.hpp"
 #include "post/files/table.hpp"
 
+namespace plate {
+class Formulation;
+}
+
 namespace post {
+
+class TipMethods;
+struct StoredRun;
 
 /// Factors of the same tips that were found in other ways: how far they are off bounds the errors.
 struct OtherFactors {
@@ -62,18 +69,6 @@ private:
 /// resolved is empty.
 void append(Table& table, double time, const std::vector<Srif>& srifs);
 std::vector<std::string> srif_columns();
-
-}  // namespace post
-
-namespace plate {
-class Formulation;
-}
-
-namespace post {
-
-class TipMethods;
-struct SrifOptions;
-struct StoredRun;
 
 /// The rows of srif.csv, found again in the states of a finished run of this plate. Throws std::runtime_error where it
 /// is a run of another plate, plate::NumericalError where a factor is not finite.

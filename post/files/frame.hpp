@@ -12,6 +12,8 @@
 
 namespace post {
 
+struct Srif;
+
 /// Weight of a corner's sources: `linear` for displacements, `mean` for what is derived from them.
 using CornerWeight = double plate::Mesh::Source::*;
 
@@ -24,8 +26,6 @@ void continue_to_corners(const plate::Mesh& mesh, Eigen::Ref<Eigen::MatrixXd> va
 
 /// Values of points [components x points] as values of vertices [components x vertices].
 Eigen::MatrixXd at_vertices(const plate::Mesh& mesh, const Eigen::MatrixXd& values, CornerWeight weight);
-
-struct Srif;
 
 /// A crack as a polyline.
 struct CrackLine {

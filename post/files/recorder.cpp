@@ -9,6 +9,7 @@
 #include "plate/model/halo_exchange.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/model/section.hpp"
+#include "plate/solve/analysis.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/processes.hpp"
 #include "post/files/result_checks.hpp"

@@ -13,6 +13,12 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
+namespace plate {
+class Formulation;
+struct Boundary;
+struct Heat;
+}  // namespace plate
+
 namespace post {
 
 /// Destination of the results of a run: a folder, or memory.

@@ -84,10 +84,7 @@ private:
   bool held_ = false, works_ = true;
 };
 
-}  // namespace post
-
-/// Content of the folder that a run is to write to.
-namespace post {
+// Content of the folder that a run is to write to.
 
 /// Names in a folder that holds something but no results of a run; empty where a run may write.
 std::vector<std::string> strangers(const std::filesystem::path& folder);

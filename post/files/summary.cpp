@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <nlohmann/json.hpp>
 
+#include "plate/solve/analysis.hpp"
 #include "post/files/processes.hpp"
 #include "post/files/table.hpp"
 

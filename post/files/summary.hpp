@@ -7,10 +7,15 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/solve/analysis.hpp"
 #include "post/factors/accuracy.hpp"
 
+namespace plate {
+enum class AnalysisKind;
+}
+
 namespace post {
+
+struct ProcessesSummary;
 
 /// A force along w and the moments about the x and y axes through the origin; sums of nodal forces.
 struct Wrench {
@@ -49,8 +54,6 @@ struct ReactionSummary {
   /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
   std::optional<double> truncation = {};
 };
-
-struct ProcessesSummary;
 
 /// A part of the program that a scene uses, and what it costs.
 struct ScenePart {
@@ -152,7 +155,7 @@ struct Summary {
   };
   std::optional<Matched> position_aware;  // points by how their weights could be matched
   struct Analysis {
-    plate::Analysis::Kind kind{};
+    plate::AnalysisKind kind{};
     std::string method, stop_reason;
     std::optional<std::string> preconditioner;
     std::optional<std::size_t> iterations, steps;

@@ -12,6 +12,7 @@
 #include "plate/formulation/sections.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/files/summary.hpp"

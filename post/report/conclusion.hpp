@@ -6,15 +6,6 @@
 #include "plate/model/state.hpp"
 #include "post/files/summary.hpp"
 
-namespace post {
-
-/// Peaks of a motion: K1, K2, K3 and, with a toughness, its utilisation, of every tip by its recommended method, where
-/// they are resolved; none of a quantity that may be larger where it is not. `rows` of factors at `times`.
-std::vector<Peak> peaks(const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows,
-                        const plate::Section& section, std::optional<double> toughness);
-
-}  // namespace post
-
 namespace plate {
 class Formulation;
 struct Heat;
@@ -28,6 +19,11 @@ namespace post {
 
 class ReactionRows;
 struct Table;
+
+/// Peaks of a motion: K1, K2, K3 and, with a toughness, its utilisation, of every tip by its recommended method, where
+/// they are resolved; none of a quantity that may be larger where it is not. `rows` of factors at `times`.
+std::vector<Peak> peaks(const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows,
+                        const plate::Section& section, std::optional<double> toughness);
 
 /// Deflection over thickness beyond which plates stretch: a clamped circular plate is 12 % stiffer there (Timoshenko: w
 /// + 0.488 w^3).

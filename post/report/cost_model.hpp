@@ -13,9 +13,6 @@ struct Analysis;
 
 namespace post {
 
-struct ScenePart;
-struct Summary;
-
 /// Output of a run beside its solution.
 struct Given {
   bool factors = false, fields = false;  // intensity factors, fields for ParaView

@@ -4,6 +4,10 @@
 
 #include "post/files/table.hpp"
 
+namespace plate {
+struct Problem;
+}
+
 namespace post {
 
 /// A table as JSON, a list per column; a column without any cell is left out. Of more than `most` rows every n-th is
@@ -15,14 +19,6 @@ Table recommended(const Table& srifs);
 
 /// Returns these columns only, as far as they are there.
 Table columns_of(const Table& table, const std::vector<std::string>& names);
-
-}  // namespace post
-
-namespace plate {
-struct Problem;
-}
-
-namespace post {
 
 /// Drawing of a plate for a report, as JSON: `edges`, each with `name`, `from`, `to` and the plate on its left,
 /// `outline` as vertices, `holes` as vertices or `centre` and `radius`, `cracks`, `supports`, `loads`, `section`.

@@ -7,6 +7,8 @@
 
 namespace post {
 
+struct CurvePlot;
+
 /// The files of post/report/html that make up a report, by their names: scripts, styles, the frame of the page. The
 /// build makes them part of the program (cases/embed.cmake).
 const std::map<std::string, std::string_view>& assets();
@@ -27,8 +29,6 @@ std::string without_markup(const std::string& json);
 /// The whole page: one file without references to others. `data`: JSON, which the page's scripts put into words,
 /// drawings and plots.
 std::string page(const std::string& title, const std::string& data);
-
-struct CurvePlot;
 
 /// The page of a comparison with reference curves: `table`, the error norms as they are printed, and the curves over
 /// each other.

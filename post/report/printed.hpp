@@ -10,7 +10,7 @@
 namespace post {
 
 struct Srif;
-struct Summary;
+struct Table;
 
 /// Text for the user at the end of a run: one row of factors per tip by the recommended method, the other methods below
 /// as a comparison, peaks of a motion, growth, warnings. `si`: with the units of SI. A factor is printed as 0 below
@@ -26,8 +26,6 @@ std::array<std::string, 3> factor_texts(const Srif& srif, double thickness);
 std::string error_text(const Srif& srif, double thickness);
 /// A place; what is nothing beside the thickness is 0.
 std::string place_text(const geometry::Point& x, double thickness);
-
-struct Table;
 
 /// Largest |K1|, |K2|, |K3| and G of every tip, by recommended methods, and the load case or combination that gives
 /// each. Where one has a factor that is not resolved, the error is at least the amount by which that factor may be

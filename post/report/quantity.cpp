@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "plate/solve/analysis.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/report/curve_plot.hpp"
@@ -86,21 +87,6 @@ std::optional<Summary> summary_of(const Json& json) {
   summary.warnings = json.at("warnings").get<std::vector<std::string>>();
   return summary;
 }
-
-}  // namespace
-
-std::optional<Summary> read_summary(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  const auto json = Json::parse(file, nullptr, false);
-  if (!json.is_object()) return std::nullopt;
-  try {
-    return summary_of(json);
-  } catch (const Json::exception&) {
-    return std::nullopt;  // of another version
-  }
-}
-
-namespace {
 
 using Row = std::vector<Cell>;
 
@@ -210,6 +196,17 @@ std::optional<double> of_summary(const Quantity& quantity, const Summary& summar
 }
 
 }  // namespace
+
+std::optional<Summary> read_summary(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  const auto json = Json::parse(file, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    return summary_of(json);
+  } catch (const Json::exception&) {
+    return std::nullopt;  // of another version
+  }
+}
 
 std::string Quantity::place() const {
   if (mode) return fmt::format("mode {}", *mode);

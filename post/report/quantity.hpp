@@ -8,13 +8,13 @@
 
 namespace post {
 
+struct Curve;
+struct Table;
+
 /// Reads from summary.json of a finished run: formulation, outcome, points, bonds, iterations, seconds, factors
 /// (without rings and fits), peaks, frequencies, growth, warnings, version and digest. Returns nothing where there is
 /// no such file, or it is incomplete.
 std::optional<Summary> read_summary(const std::filesystem::path& path);
-
-struct Curve;
-struct Table;
 
 /// A number that runs are compared by: K1, K2, K3, F1, F2, F3 of a tip, K1_peak, K2_peak, K3_peak of a motion, w,
 /// theta_x, theta_y at a probe, the frequency of a mode, or of the whole plate. Has a tip, a probe, a mode or none, as

@@ -8,10 +8,14 @@
 #include "post/files/table.hpp"
 
 namespace plate {
+class Formulation;
 class Operator;
-}
+struct Instant;
+}  // namespace plate
 
 namespace post {
+
+struct Response;
 
 /// Wrench of the nodal force `value`, conjugate to w (component 0) or a rotation (1, 2), at a place.
 Wrench wrench(const geometry::Point& at, std::size_t component, double value);
@@ -57,17 +61,6 @@ private:
   geometry::Point centre_{0, 0};
   double arm_ = 0;  // half the diagonal of the plate
 };
-
-}  // namespace post
-
-namespace plate {
-class Formulation;
-class Operator;
-struct Instant;
-}  // namespace plate
-
-namespace post {
-struct Response;
 
 /// Reactions of a damped plate that vibrates at one frequency after another.
 class HarmonicReactions {

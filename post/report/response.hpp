@@ -4,10 +4,6 @@
 #include "plate/model/state.hpp"
 #include "post/files/summary.hpp"
 
-namespace plate {
-class Formulation;
-}
-
 namespace post {
 
 struct Probe;

@@ -39,7 +39,7 @@ Ended run(const fs::path& file, const fs::path& folder, const std::vector<std::s
 std::vector<std::string> coarse(const cases::Case& c) {
   const auto [low, high] = geometry::bounding_box(c.outline);
   std::vector<std::string> settings{"discretization.spacing=" + std::to_string((high - low).minCoeff() / 40)};
-  using enum cases::Analysis::Kind;
+  using enum plate::AnalysisKind;
   if (c.analysis.kind == static_) settings.push_back("analysis.method=cg");
   if (c.analysis.kind == frequencies) settings.push_back("analysis.modes=2");
   const bool stated = c.srif && c.srif->accuracy;

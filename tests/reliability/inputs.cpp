@@ -151,7 +151,7 @@ void read_extremes(const std::string& bytes) {
 
 void read_a_reference(const std::string& bytes) {
   try {
-    post::to_json(post::compare(folder(), file_of("reference.csv", bytes)), {});
+    cases::to_json(cases::compare(folder(), file_of("reference.csv", bytes)), {});
   } catch (const std::logic_error&) {
   } catch (const std::runtime_error&) {
   }

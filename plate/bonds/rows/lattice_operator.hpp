@@ -7,6 +7,8 @@
 
 namespace plate {
 
+class PendingExchange;
+
 /// Numbered pieces of work, which the threads of a team share out by the time that they take, always in the same way.
 class Tasks {
 public:
@@ -31,8 +33,6 @@ private:
   std::vector<std::uint32_t> number_;
   std::vector<double> until_;  // time of all up to every one
 };
-
-class PendingExchange;
 
 /// The forces of a FamilyOperator in the number `Real`, for many points at once. Points that follow each other and
 /// share a pattern of bonds are rows. Points one above the other that look alike, but not to the numbering, are

@@ -65,10 +65,7 @@ RowPattern<Real> row_pattern(std::span<const PatternBond> bonds, double stiffnes
 extern template RowPattern<double> row_pattern<double>(std::span<const PatternBond>, double, std::optional<double>);
 extern template RowPattern<float> row_pattern<float>(std::span<const PatternBond>, double, std::optional<double>);
 
-}  // namespace plate
-
-/// Kernels for a row of points with one pattern of bonds: Dai 11-13 for a vector of points at once.
-namespace plate {
+// Kernels for a row of points with one pattern of bonds: Dai 11-13 for a vector of points at once.
 
 /// Deflection, rotations and q = 2 A a theta, point by point.
 template <typename Real>

@@ -7,6 +7,8 @@
 
 namespace plate {
 
+class Constraints;
+
 /// The contact in steps.
 class ImpactContact {
 public:
@@ -39,8 +41,6 @@ private:
 /// what keeps the energy of the contact to a hundredth.
 /// `mass`: folded.
 double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass);
-
-class Constraints;
 
 /// Forces in time steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a
 /// step, of the stiffness with that of the half step before, and the contact with a mass (theory (84, 85)).

@@ -6,7 +6,6 @@
 namespace plate {
 
 class Constraints;
-class Preconditioner;
 struct Section;
 
 struct FrequencyOptions {

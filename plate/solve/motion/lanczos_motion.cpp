@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "plate/model/dense_algebra.hpp"
@@ -127,19 +126,17 @@ Index more_vectors(Index vectors) {
 struct Solved {
   MatrixXd shapes;
   MovingModes modes;
-  double largest_square;
 };
 
 Solved solved(LanczosSpace& space, const std::vector<TimedLoad>& loads, const LanczosOptions& options) {
-  if (space.size() == 0) return {{}, MovingModes({}, MatrixXd(0, Index(loads.size())), loads), 0};
+  if (space.size() == 0) return {{}, MovingModes({}, MatrixXd(0, Index(loads.size())), loads)};
   const Eigenpairs eigen = eigenpairs(space.stiffness());
   const VectorXd& squares = eigen.values;
   if (!eigen.found || !(squares[0] > 0)) throw NumericalError("Lanczos vectors: the stiffness is not positive");
   MatrixXd shares(space.size(), Index(loads.size()));
   for (std::size_t l = 0; l < loads.size(); ++l)
     shares.col(Index(l)) = space.vectors().transpose() * flat(loads[l].forces);
-  Solved result{eigen.vectors, MovingModes(squares, eigen.vectors.transpose() * shares, loads, options.damping),
-                squares.tail<1>()[0]};
+  Solved result{eigen.vectors, MovingModes(squares, eigen.vectors.transpose() * shares, loads, options.damping)};
   if (options.from_equilibrium) result.modes.rest();
   if (options.deflected.size() > 0 || options.velocity.size() > 0) {
     const auto in_modes = [&](const State& state) -> VectorXd {
@@ -259,7 +256,6 @@ LanczosMotion::LanczosMotion(const Operator& plate, const Constraints& constrain
   auto change = fill(space, loads, options);
   change_ = change.motion, truncated_ = std::move(change.watched), truncated_told_ = std::move(change.told);
   Solved motion = solved(space, loads, options);
-  largest_frequency_ = std::sqrt(motion.largest_square) / (2 * std::numbers::pi);
   shapes_ = space.size() > 0 ? MatrixXd(space.vectors() * motion.shapes) : MatrixXd(unknowns_per_point * points_, 0);
   start_ = std::move(motion.modes);
 }

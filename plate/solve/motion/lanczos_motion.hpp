@@ -7,6 +7,9 @@
 
 namespace plate {
 
+class Inertia;
+class Preconditioner;
+
 /// Modes that move under loads that are straight lines in time between the points of their histories: exact.
 class MovingModes {
 public:
@@ -45,9 +48,6 @@ private:
   Eigen::VectorXd y_, v_;
   double work_ = 0;
 };
-
-class Inertia;
-class Preconditioner;
 
 struct LanczosOptions {
   double duration = 0;
@@ -90,8 +90,6 @@ public:
   const std::vector<double>& truncated() const { return truncated_; }
   /// Estimated error of every group of LanczosOptions::told, defined as truncated().
   const std::vector<double>& truncated_told() const { return truncated_told_; }
-  /// Largest frequency that the vectors hold [1/time].
-  double largest_frequency() const { return largest_frequency_; }
 
 private:
   double duration_;
@@ -99,7 +97,7 @@ private:
   Damping damping_;
   Eigen::MatrixXd shapes_;  // of the modes: columns, each a state flattened
   MovingModes start_;
-  double change_ = 0, largest_frequency_ = 0;
+  double change_ = 0;
   std::vector<double> truncated_, truncated_told_;
 };
 

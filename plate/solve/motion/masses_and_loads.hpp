@@ -108,9 +108,6 @@ private:
   bool varies_ = false;
 };
 
-struct Instant;
-struct TimedLoad;
-
 /// The loads of a motion by steps that move along paths: what they add to the forces, and their work by the trapezoidal
 /// rule. Without such loads it holds nothing and does nothing.
 class TravellingLoads {

@@ -11,8 +11,6 @@ namespace plate {
 /// [1/time]. One of alpha and beta is negative where the ratios differ more than the frequencies allow.
 Damping damping_of(const std::array<double, 2>& ratios, const std::array<double, 2>& frequencies);
 
-struct Damping;
-
 /// The steps of a motion.
 struct TimeGrid {
   double time_step;

@@ -72,10 +72,7 @@ private:
   Close close_ = nullptr;
 };
 
-}  // namespace post::hdf5
-
-/// Groups, datasets and attributes of state.h5. Only for the sources of this folder.
-namespace post::hdf5 {
+// Groups, datasets and attributes of state.h5
 
 constexpr auto missing = std::numeric_limits<double>::quiet_NaN();
 

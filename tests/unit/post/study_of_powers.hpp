@@ -6,9 +6,9 @@
 /// Studies whose errors are known powers of the spacing.
 namespace study_of_powers {
 
-inline post::StudyRow row(const std::vector<std::string>& labels, const std::string& quantity, double spacing,
-                          double computed, std::optional<double> reference) {
-  post::StudyRow result;
+inline cases::StudyRow row(const std::vector<std::string>& labels, const std::string& quantity, double spacing,
+                           double computed, std::optional<double> reference) {
+  cases::StudyRow result;
   result.labels = labels;
   result.quantity = quantity;
   result.place = quantity == "w" ? "centre" : "tip 0";
@@ -22,8 +22,8 @@ inline post::StudyRow row(const std::vector<std::string>& labels, const std::str
 }
 
 /// Two thicknesses and three spacings: errors of w are -spacing^2 or spacing, those of K1 are 0.3 spacing^1.5.
-inline post::StudyTable study() {
-  post::StudyTable result{{"h", "spacing"}, {}};
+inline cases::StudyTable study() {
+  cases::StudyTable result{{"h", "spacing"}, {}};
   for (const std::string h : {"0.1", "0.2"})
     for (const std::string label : {"0.1", "0.05", "0.025"}) {
       const double spacing = std::stod(label), reference = h == "0.1" ? 4 : -2;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include "tests/unit/plate/edges/edge_bodies.hpp"
+
 namespace boundary_bodies {
 
 namespace {
@@ -180,7 +182,7 @@ private:
 Eigen::VectorXd with_mirror_nodes(const Solid& s, const Conditions& c, bool tangential) {
   const int counts = int(std::lround(std::sqrt(s.body.real))), reach = int(s.horizon);
   Solid larger = s;  // its real nodes have all their families: the body and one horizon about it
-  larger.body = plate::box_body({counts + 2 * reach, counts + 2 * reach}, reach);
+  larger.body = edge_bodies::box_body({counts + 2 * reach, counts + 2 * reach}, reach);
   const Mirrors mirrors(s, c, tangential, counts - 1);
   Eigen::MatrixXd U(2 * larger.body.count(), 2 * s.body.real + 1);
   for (int k = 0; k < larger.body.count(); ++k)

@@ -1,5 +1,7 @@
 #include "tests/verification/boundary/loaded.hpp"
 
+#include "tests/unit/plate/edges/edge_bodies.hpp"
+
 namespace boundary_bodies {
 
 namespace {
@@ -93,7 +95,7 @@ Eigen::VectorXd loads(const Solid& s, const Conditions& c) {
 
 Eigen::VectorXd with_surface_nodes(const Solid& s, int order, plate::FluxRule rule, const Conditions& c) {
   const auto [K, f, held] = equations(s, order, rule, c);
-  return plate::constrained_solution(K, f, held).values;
+  return edge_bodies::constrained_solution(K, f, held).values;
 }
 
 Eigen::VectorXd with_surface_nodes_mirrored(const Solid& s, int order, plate::FluxRule rule, const Conditions& c,
@@ -105,7 +107,7 @@ Eigen::VectorXd with_surface_nodes_mirrored(const Solid& s, int order, plate::Fl
     if (const auto found = std::ranges::find(lower, one.unknown); found != lower.end())
       lower_held.push_back({found - lower.begin(), one.value});
   const plate::SparseStiffness folded = plate::SparseStiffness(all.transpose()) * K * all;
-  return all * plate::constrained_solution(folded, all.transpose() * f, lower_held).values;
+  return all * edge_bodies::constrained_solution(folded, all.transpose() * f, lower_held).values;
 }
 
 Eigen::VectorXd on_nodes(const Solid& s, const plate::SparseStiffness& K, const Conditions& c, const Field& solution) {
@@ -123,7 +125,7 @@ Eigen::VectorXd on_nodes(const Solid& s, const plate::SparseStiffness& K, const 
         f[unknown] += s.area() * p[a];
     }
   }
-  return plate::constrained_solution(K, f, held).values;
+  return edge_bodies::constrained_solution(K, f, held).values;
 }
 
 Eigen::VectorXd uncorrected(const Solid& s, const Conditions& c, const Field& solution) {

@@ -1,5 +1,7 @@
 #include "tests/verification/boundary/plane.hpp"
 
+#include "tests/unit/plate/edges/edge_bodies.hpp"
+
 namespace boundary_bodies {
 
 namespace {
@@ -15,7 +17,7 @@ Field pulled_field(double C11, double C12) {
 }  // namespace
 
 Solid plane_square(double poisson, int count) {
-  return {plate::box_body({count, count}, 3),
+  return {edge_bodies::box_body({count, count}, 3),
           plane_strain_material(young, poisson),
           family_of(2, 3),
           1.0 / count,

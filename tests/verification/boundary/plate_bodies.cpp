@@ -1,5 +1,7 @@
 #include "tests/verification/boundary/plate_bodies.hpp"
 
+#include "tests/unit/plate/edges/edge_bodies.hpp"
+
 namespace boundary_bodies {
 
 using geometry::Point;
@@ -34,7 +36,7 @@ SurfacePlate plate_of_shares(const plate::Section& section, double spacing, cons
   d.spacing = spacing, d.horizon_ratio = 3, d.twist_match = plate::TwistMatch::paper;
   d.surface_correction = plate::SurfaceCorrection::arbitrary_horizon;
   auto bonds = plate::lattice_bonds(section, d, shares);
-  auto body = plate::rectangle_body(low, high, corner, spacing, bonds.reach);
+  auto body = edge_bodies::rectangle_body(low, high, corner, spacing, bonds.reach);
   return {std::move(body), std::move(bonds), corner + Point::Constant(spacing / 2)};
 }
 
@@ -106,7 +108,7 @@ Eigen::VectorXd solution_of_quarter(const SurfacePlate& p, const plate::EdgeCond
     if (const auto found = std::ranges::find(own, one.unknown); found != own.end())
       own_held.push_back({found - own.begin(), one.value});
   const plate::SparseStiffness folded = plate::SparseStiffness(all.transpose()) * plate::stiffness(p) * all;
-  return all * plate::constrained_solution(folded, all.transpose() * right, own_held).values;
+  return all * edge_bodies::constrained_solution(folded, all.transpose() * right, own_held).values;
 }
 
 }  // namespace boundary_bodies

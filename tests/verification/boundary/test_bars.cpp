@@ -1,6 +1,7 @@
 // The four bars of Sca21 5, by Lagrange multipliers (Sca21) and by surface nodes (Sca23), and without corrections.
 
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 
 namespace bb = boundary_bodies;
@@ -11,7 +12,13 @@ namespace {
 constexpr double young = 1e9, poisson = 0.3, area = 0.01, load = 1e6;  // Sca21, table 3
 
 Solid bar() {
-  return {plate::box_body({20}, 3), bb::bar_material(young, poisson), bb::family_of(1, 3), 0.05, 3, area, bb::inverse};
+  return {edge_bodies::box_body({20}, 3),
+          bb::bar_material(young, poisson),
+          bb::family_of(1, 3),
+          0.05,
+          3,
+          area,
+          bb::inverse};
 }
 
 /// A bar held at 0, with a force at its end and a load along it.
@@ -52,16 +59,16 @@ Solved with_multipliers(const Problem& p, int order) {
   plate::WeightRows B(2, s.body.real);
   B.topRows(1) = plate::surface_values(s.body, order).topRows(1);
   B.bottomRows(1) = rows.bottomRows(1);
-  const auto solution =
-      plate::solution_with_multipliers(plate::SparseStiffness(rows.topRows(s.body.real)), plate::SparseStiffness(B),
-                                       forces(s, p).head(s.body.real), Eigen::Vector2d(0, p.end_force));
+  const auto solution = edge_bodies::solution_with_multipliers(
+      plate::SparseStiffness(rows.topRows(s.body.real)), plate::SparseStiffness(B), forces(s, p).head(s.body.real),
+      Eigen::Vector2d(0, p.end_force));
   return {solution.values, (rows * solution.values)[s.body.real], solution.multipliers.cwiseAbs()};
 }
 
 Solved with_surface_nodes(const Problem& p, int order) {
   const Solid s = bar();
   const auto K = bb::stiffness(s, plate::Centre::surface_node, order);
-  const auto solution = plate::constrained_solution(K, forces(s, p), {{s.body.real, 0.0}});
+  const auto solution = edge_bodies::constrained_solution(K, forces(s, p), {{s.body.real, 0.0}});
   return {solution.values, solution.reactions[0]};
 }
 
@@ -70,7 +77,7 @@ Solved uncorrected(const Problem& p) {
   const Solid s = bar();
   Eigen::VectorXd f = forces(s, p).head(s.body.real);
   f[s.body.real - 1] += p.end_force;
-  const auto solution = plate::constrained_solution(bb::uncorrected_stiffness(s), f, {{0, p.local(s.at(0)[0])}});
+  const auto solution = edge_bodies::constrained_solution(bb::uncorrected_stiffness(s), f, {{0, p.local(s.at(0)[0])}});
   return {solution.values, solution.reactions[0]};
 }
 

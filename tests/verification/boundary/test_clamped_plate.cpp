@@ -2,6 +2,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/dense.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 #include "tests/verification/boundary/loaded.hpp"
 
@@ -14,7 +15,7 @@ constexpr double young = 1e9, poisson = 0.2, thickness = 0.05, length = 3, width
 
 /// Sca21, table 4; plane stress, as the plate is thin; influence as for its bars.
 Solid plate_in_plane() {
-  return {plate::box_body({30, 20}, 3),
+  return {edge_bodies::box_body({30, 20}, 3),
           bb::plane_stress_material(young, poisson),
           bb::family_of(2, 3),
           0.1,
@@ -130,8 +131,8 @@ Eigen::VectorXd by_multipliers(const Solid& s, int order) {
   const plate::SparseStiffness B = clamps(s, order);
   Eigen::VectorXd f = Eigen::VectorXd::Zero(2 * s.body.real);
   for (int k = 0; k < s.body.real; ++k) f[2 * k] = load * s.volume();
-  return plate::solution_with_multipliers(plate::SparseStiffness(all.topRows(2 * s.body.real)), B, f,
-                                          Eigen::VectorXd::Zero(B.rows()))
+  return edge_bodies::solution_with_multipliers(plate::SparseStiffness(all.topRows(2 * s.body.real)), B, f,
+                                                Eigen::VectorXd::Zero(B.rows()))
       .values;
 }
 

@@ -2,6 +2,7 @@
 // lattice.
 
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 
 namespace bb = boundary_bodies;
@@ -49,7 +50,7 @@ double in_parts(const std::function<double(double)>& f, double from, double to) 
 
 /// A bar of four horizons, `ratio` nodes in each; strain 1.
 bb::Solid bar(int ratio) {
-  return {plate::box_body({4 * ratio}, ratio),
+  return {edge_bodies::box_body({4 * ratio}, ratio),
           {0, 0, 1},
           bb::family_of(1, ratio),
           1.0 / ratio,

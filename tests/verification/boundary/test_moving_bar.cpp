@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 
 namespace bb = boundary_bodies;
@@ -64,7 +65,7 @@ Bar bonds(const plate::LatticeBody& body, double kernel) {
 }
 
 Bar corrected(int order, double kernel) {
-  const auto body = plate::box_body({count}, ratio);
+  const auto body = edge_bodies::box_body({count}, ratio);
   const plate::WeightRows expanded = plate::extrapolation(body, plate::Centre::surface_node, order);
   const auto bar = bonds(body, kernel);
   return {bar.accelerations * expanded, expanded.transpose() * bar.flux};
@@ -77,7 +78,7 @@ struct Multiplied {
 };
 
 Multiplied multiplied(int order, double kernel) {
-  const auto body = plate::box_body({count}, ratio);
+  const auto body = edge_bodies::box_body({count}, ratio);
   const plate::WeightRows expanded = plate::extrapolation(body, plate::Centre::real_node, order);
   const auto bar = bonds(body, kernel);
   Eigen::MatrixXd conditions(2, count);

@@ -2,6 +2,7 @@
 
 #include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 
 namespace bb = boundary_bodies;
@@ -90,7 +91,8 @@ Eigen::Vector2d patch(plate::SurfacePlate p, const Solution& s, OnEdge condition
   const Eigen::VectorXd exact = bb::at_unknowns(p, s.field);
   if (problem.held.empty())
     for (const Eigen::Index i : {0, 1, 2}) problem.held.push_back({i, exact[i]});
-  return bb::off(p, plate::constrained_solution(plate::stiffness(p), problem.right, problem.held).values, s.field);
+  return bb::off(p, edge_bodies::constrained_solution(plate::stiffness(p), problem.right, problem.held).values,
+                 s.field);
 }
 
 /// Largest of all homogeneous states, conditions and ways.
@@ -127,7 +129,7 @@ TEST_CASE("surface plate: with fitted shares the lattice is the local plate in h
   d.spacing = spacing, d.volume_correction = plate::VolumeCorrection::lattice_fitted;
   const bb::LatticeLaw local{D, section.poisson * D, (1 - section.poisson) / 2 * D, section.shear_stiffness(), 0};
   for (const auto& s : homogeneous(local)) {
-    const double one = patch(plate::surface_plate(section, d, {0, 0}, {1.2, 0.8}), s, loaded).maxCoeff();
+    const double one = patch(edge_bodies::surface_plate(section, d, {0, 0}, {1.2, 0.8}), s, loaded).maxCoeff();
     INFO(s.name << ' ' << one);
     CHECK(one < 1e-10);  // measured: 1.3e-11
   }

@@ -1,6 +1,7 @@
 // Square plates with surface nodes under pressure, against the local plate.
 
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/local_plate.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 #include "tests/verification/exact.hpp"
@@ -137,7 +138,7 @@ TEST_CASE("surface plate under pressure: edges that lie elsewhere between the po
   const auto shifted = [](const Point& corner) {
     const auto p = bb::plate_of_shares(section, 0.1, bb::cell_shares(true), {-1, -1}, {1, 1}, corner);
     const auto hard = [](const Point&, const Point&) { return plate::edge_condition(simply_supported_hard); };
-    const auto u = plate::solution(p, hard, [](const Point&) { return Eigen::Vector3d(1, 0, 0); }).values;
+    const auto u = edge_bodies::solution(p, hard, [](const Point&) { return Eigen::Vector3d(1, 0, 0); }).values;
     double largest = 0, size = 0;
     for (int k = 0; k < p.body.real; ++k) {
       const double w = navier(p.at(k));

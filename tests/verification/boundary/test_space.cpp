@@ -1,6 +1,7 @@
 // Boxes with surface nodes (Sca23 4).
 
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/fractions.hpp"
 #include "tests/verification/boundary/loaded.hpp"
 
@@ -14,7 +15,7 @@ constexpr double young = 1e9, poisson = 0.3;
 
 Solid box(const std::vector<int>& counts, double spacing) {
   static const bb::Family family = bb::family_of(3, 3);
-  return {plate::box_body(counts, 3), bb::space_material(young, poisson), family, spacing, 3, 1, bb::gauss};
+  return {edge_bodies::box_body(counts, 3), bb::space_material(young, poisson), family, spacing, 3, 1, bb::gauss};
 }
 
 constexpr double c_u = 0.05, c_v = -0.06, c_w = -0.02;
@@ -132,7 +133,7 @@ TEST_CASE("box, made-up loading, all loads from sums over the lattice: the field
         if (const auto& face = s.body.surface[std::size_t(i)]; face.axis == 0 && face.side < 0)
           left.push_back({3 * (s.body.real + i) + a, exact[3 * (s.body.real + i) + a]});
     const Eigen::VectorXd u =
-        plate::constrained_solution(bb::stiffness(s, plate::Centre::surface_node, 3, rule), f, left).values;
+        edge_bodies::constrained_solution(bb::stiffness(s, plate::Centre::surface_node, 3, rule), f, left).values;
     CHECK((u - exact).cwiseAbs().maxCoeff() < 1e-10 * exact.cwiseAbs().maxCoeff());  // measured: 2e-13
   }
 }

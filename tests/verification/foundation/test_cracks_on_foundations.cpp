@@ -69,7 +69,7 @@ TEST_CASE("K on soil: both integrals, both formulations, and the energy of neigh
       const auto found = solved(c);
       const double extension = G(found, SrifMethod::virtual_crack_extension),
                    integral = G(found, SrifMethod::domain_integral);
-      const auto table = post::energy_check(c, c.analysis);
+      const auto table = cases::energy_check(c, c.analysis);
       const double energy = std::get<double>(table.rows[0][4]);
       CHECK(integral == Approx(extension).epsilon(0.005));  // measured: 0.07 % (Galerkin), 0.26 % (bonds)
       CHECK(energy == Approx(extension).epsilon(0.005));    // measured: 0.08 %, 0.23 %
@@ -111,7 +111,7 @@ TEST_CASE("an oblique crack on a shear layer that goes on beneath it") {
   for (const auto* kind : {&galerkin, &ordinary}) {
     const auto c = cracked(*kind, 2, 0.5, true);
     const auto found = solved(c);
-    const auto table = post::energy_check(c, c.analysis);
+    const auto table = cases::energy_check(c, c.analysis);
     for (std::size_t tip = 0; tip < 2; ++tip) {
       const double integral = G(found, SrifMethod::domain_integral, tip);
       CAPTURE(kind->name, tip, integral);

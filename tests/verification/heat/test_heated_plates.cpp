@@ -219,7 +219,7 @@ TEST_CASE("cracks in heated plates: both integrals, the fit, and the energy of n
         const auto u = at_rest(*plate);
         const auto heat = heat_of(*plate, 1);
         const auto srifs = post::srifs(*plate, *c.srif, post::tip_methods(*plate, *c.srif), u, true, &heat);
-        const auto table = post::energy_check(c, c.analysis);
+        const auto table = cases::energy_check(c, c.analysis);
         for (std::size_t tip = 0; tip < 2; ++tip) {
           std::map<SrifMethod, post::Srif> of;
           for (const auto& srif : srifs)

@@ -35,7 +35,7 @@ TEST_CASE("cracks in orthotropic plates: both integrals and the energy of neighb
     for (const double angle : {0.0, 30.0, 90.0}) {
       const auto c = cracked(orthotropic(ratio, 0.2, angle), {{-0.3, 0}, {0.3, 0}});
       const auto found = factors(c);
-      const double integral = *found[0].G, energy = std::get<double>(post::energy_check(c, c.analysis).rows[0][4]);
+      const double integral = *found[0].G, energy = std::get<double>(cases::energy_check(c, c.analysis).rows[0][4]);
       INFO("ratio " << ratio << " angle " << angle << " extension " << *found[1].G / integral - 1 << " energy "
                     << energy / integral - 1 << " K " << found[0].K1 << " " << found[0].K2 << " " << found[0].K3);
       CHECK(*found[1].G == Approx(integral).epsilon(0.005));  // measured: at most 0.18 %
@@ -52,7 +52,7 @@ TEST_CASE("cracks in plates with a thicker part: the energy of neighbouring leng
   c.discretization.spacing = 0.02;
   const auto found = factors(c);
   for (std::size_t tip = 0; tip < 2; ++tip) {
-    const double energy = std::get<double>(post::energy_check(c, c.analysis).rows[tip][4]);
+    const double energy = std::get<double>(cases::energy_check(c, c.analysis).rows[tip][4]);
     const auto own = std::ranges::find(found, tip, &post::Srif::tip);
     INFO("tip " << tip << " energy " << energy / *own->G - 1);
     CHECK(energy == Approx(*own->G).epsilon(0.002));  // measured: 0.02, 0.01 %

@@ -5,10 +5,11 @@
 #include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 namespace vp = verified_plate;
-using namespace plate;
+using namespace edge_bodies;
 
 namespace {
 

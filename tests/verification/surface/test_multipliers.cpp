@@ -3,6 +3,7 @@
 #include "plate/edges/boundary_conditions.hpp"
 #include "plate/edges/multiplied_plate.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/local_plate.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 
@@ -75,7 +76,7 @@ Found patch(const plate::SurfacePlate& p, const bb::LatticeLaw& law, const Homog
     for (const Eigen::Index i : {0, 1, 2}) problem.held.push_back({i, exact[i]});
   Eigen::VectorXd right = Eigen::VectorXd::Zero(real + 2 * surface);
   right.head(exact.size()) = problem.right;
-  Found found{plate::constrained_solution(made.stiffness, right, problem.held).values, 0, 0, 0};
+  Found found{edge_bodies::constrained_solution(made.stiffness, right, problem.held).values, 0, 0, 0};
   found.off = bb::off(p, found.values, [&](const Point& at) { return s(at); }).maxCoeff();
   found.added = plate::added_forces(made.stiffness, p, found.values, 1) / (4 * law.D11);
   found.at_edges =
@@ -90,8 +91,8 @@ const std::vector<Held> ways{{7, 7, 7, 7}, {7, 4, 2, 1}, {7, 0, 0, 0}, {5, 1, 5,
 double in_the_middle(double thickness, SupportKind kind, double across) {
   plate::Discretization d;
   d.spacing = across, d.volume_correction = plate::VolumeCorrection::lattice_fitted;
-  const auto p = plate::surface_plate({1000, 0.3, thickness}, d, {-1, -1}, {1, 1});
-  const auto u = plate::multiplied_solution(
+  const auto p = edge_bodies::surface_plate({1000, 0.3, thickness}, d, {-1, -1}, {1, 1});
+  const auto u = edge_bodies::multiplied_solution(
       p, [&](const Point&, const Point&) { return plate::edge_condition(kind); },
       [](const Point&) { return Eigen::Vector3d(1, 0, 0); });
   double sum = 0;

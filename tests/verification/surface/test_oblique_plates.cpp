@@ -5,6 +5,7 @@
 #include "plate/edges/boundary_conditions.hpp"
 #include "plate/edges/surface_plate.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 
 using geometry::Outline;
 using geometry::Point;
@@ -83,7 +84,8 @@ double patch(const SurfacePlate& p, const plate::Section& section, const Homogen
     exact.segment<3>(3 * k) = s(k < p.body.real ? p.at(k) : p.at_surface(k - p.body.real));
   if (problem.held.empty())
     for (const Eigen::Index i : {0, 1, 2}) problem.held.push_back({i, exact[i]});
-  const auto found = plate::constrained_solution(plate::stiffness_under(p, condition), problem.right, problem.held);
+  const auto found =
+      edge_bodies::constrained_solution(plate::stiffness_under(p, condition), problem.right, problem.held);
   return (found.values - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
 }
 
@@ -149,7 +151,7 @@ TEST_CASE("surface plate, oblique edges: deflection of a turned square under pre
         Row{tangent, 2.8 / 55, SupportKind::simply_supported_hard, -0.8547}}) {
     const auto p = made(turned({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, degrees), 0.1, spacing);
     const auto held = kind;
-    const auto found = plate::solution(
+    const auto found = edge_bodies::solution(
         p, [&](const Point&, const Point&) { return plate::edge_condition(held); },
         [](const Point&) { return Eigen::Vector3d(1, 0, 0); });
     int centre = 0;

@@ -4,6 +4,7 @@
 #include "plate/edges/multiplied_plate.hpp"
 #include "plate/edges/surface_plate.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 #include "tests/verification/boundary/plate_bodies.hpp"
 
 namespace bb = boundary_bodies;
@@ -86,7 +87,7 @@ Eigen::Vector2d patch(const SurfacePlate& p, const Homogeneous& s, const std::ar
   Eigen::VectorXd right = Eigen::VectorXd::Zero(multiplied.stiffness.rows());
   right.head(exact.size()) = problem.right;
   const auto off = [&](const plate::SparseStiffness& K, const Eigen::VectorXd& load, const auto& known) {
-    return bb::off(p, plate::constrained_solution(K, load, known).values, field).maxCoeff();
+    return bb::off(p, edge_bodies::constrained_solution(K, load, known).values, field).maxCoeff();
   };
   return {off(plate::stiffness(p), problem.right, problem.held), off(multiplied.stiffness, right, all_held)};
 }

@@ -4,7 +4,7 @@
 /// A program of two commands, and keys of every form.
 namespace small_program {
 
-inline const std::vector<post::ManualKey> keys{
+inline const std::vector<cases::ManualKey> keys{
     {"title", "-", "a string", "\"\"", "title"},
     {"section.young", "force/length^2", "a number > 0", "required", "modulus"},
     {"section.poisson", "-", "a number in (-1, 0.5)", "required", "ratio"},
@@ -13,7 +13,7 @@ inline const std::vector<post::ManualKey> keys{
     {"analysis.time_step", "time", "\"auto\" or a number > 0", "\"auto\"", "step"},
     {"geometry.cracks", "length", "[ [[x, y], [x, y], ...], ... ]", "absent", "polylines"}};
 
-inline const post::Program program{
+inline const cases::Program program{
     "plates",
     "1.0",
     "bends - plates",

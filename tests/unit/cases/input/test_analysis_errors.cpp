@@ -12,7 +12,7 @@ namespace {
 
 using Keys = std::multiset<std::string>;
 
-Keys keys_of(const std::vector<fracture::KeyError>& errors) {
+Keys keys_of(const std::vector<cases::KeyError>& errors) {
   Keys keys;
   for (const auto& error : errors) keys.insert(error.key);
   return keys;
@@ -25,13 +25,13 @@ TEST_CASE("analysis faults: steps and Lanczos vectors have keys of their own") {
   problem.discretization.formulation = plate::formulations().back();
   const auto all = [](const std::string&) { return true; };
   plate::Analysis analysis;
-  CHECK(fracture::errors_in_motion(problem, analysis, false, all).empty());
+  CHECK(cases::errors_in_motion(problem, analysis, false, all).empty());
   analysis.kind = plate::Analysis::Kind::dynamic;
   analysis.method = plate::Analysis::Method::central_difference;
-  CHECK(keys_of(fracture::errors_in_motion(problem, analysis, false, all)) == Keys{"analysis.tolerance"});
+  CHECK(keys_of(cases::errors_in_motion(problem, analysis, false, all)) == Keys{"analysis.tolerance"});
   analysis.method = plate::Analysis::Method::lanczos;
   analysis.time_step = 0.1, analysis.precision = plate::Analysis::Precision::mixed;
-  CHECK(keys_of(fracture::errors_in_motion(problem, analysis, false, all)) ==
+  CHECK(keys_of(cases::errors_in_motion(problem, analysis, false, all)) ==
         Keys{"analysis.time_step", "analysis.safety", "analysis.method"});
 }
 
@@ -39,12 +39,12 @@ TEST_CASE("analysis faults: what stands in the way of a stated accuracy") {
   plate::Problem problem;
   problem.discretization.formulation = plate::formulations().front();
   post::SrifOptions srif;
-  CHECK(fracture::errors_in_accuracy(problem, {}, srif, "").empty());
+  CHECK(cases::errors_in_accuracy(problem, {}, srif, "").empty());
   srif.accuracy = 0.01;
-  CHECK(fracture::errors_in_accuracy(problem, {}, srif, "").empty());
+  CHECK(cases::errors_in_accuracy(problem, {}, srif, "").empty());
   srif.methods = {post::SrifMethod::series_fit};
-  CHECK(fracture::errors_in_accuracy(problem, {}, srif, "").size() == 2);
+  CHECK(cases::errors_in_accuracy(problem, {}, srif, "").size() == 2);
   problem.discretization.formulation = plate::formulations().back();
-  CHECK_THAT(fracture::errors_in_accuracy(problem, {}, srif, "as it is").at(0).what,
+  CHECK_THAT(cases::errors_in_accuracy(problem, {}, srif, "as it is").at(0).what,
              Catch::Contains("formulation as it is"));
 }

@@ -22,8 +22,8 @@ plate::Problem cracked() {
 std::set<std::string> with_error(const fracture::Growth& growth, const std::set<std::string>& given,
                                  const std::optional<post::SrifOptions>& srif = {}) {
   std::set<std::string> keys;
-  for (const auto& error : fracture::errors_in_growth(cracked(), {}, growth, srif,
-                                                      [&](const std::string& key) { return given.contains(key); }))
+  for (const auto& error : cases::errors_in_growth(cracked(), {}, growth, srif,
+                                                   [&](const std::string& key) { return given.contains(key); }))
     keys.insert(error.key);
   return keys;
 }

@@ -11,7 +11,7 @@ namespace {
 std::string lack(const std::string& text, const post::Quantity& quantity,
                  const std::vector<std::string>& settings = {}) {
   const auto file = read(text, settings);
-  return fracture::lacking(cases::plan_of(file.content, {}), quantity);
+  return cases::lacking(cases::plan_of(file.content, {}), quantity);
 }
 
 const std::string with_factors = plain + "[srif]\n";

@@ -20,7 +20,7 @@ Problem of_formulation() {
 
 std::vector<std::string> errors(const plate::Problem& problem) {
   std::vector<std::string> result;
-  for (const auto& [key, what] : fracture::errors_in_load_cases(problem)) result.push_back(key + ": " + what);
+  for (const auto& [key, what] : cases::errors_in_load_cases(problem)) result.push_back(key + ": " + what);
   return result;
 }
 

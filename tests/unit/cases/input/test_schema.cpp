@@ -6,7 +6,7 @@
 using small_program::keys;
 
 TEST_CASE("schema: types, bounds, words, tables and lists of tables of the key table") {
-  const auto json = nlohmann::json::parse(post::schema("case", keys));
+  const auto json = nlohmann::json::parse(cases::schema("case", keys));
   const auto& all = json.at("properties");
   CHECK(all.at("title").at("type") == "string");
   CHECK(all.at("section").at("properties").at("young").at("exclusiveMinimum") == 0);

@@ -9,7 +9,7 @@ namespace {
 
 std::multiset<std::string> keys(const plate::Problem& problem) {
   std::multiset<std::string> result;
-  for (const auto& error : fracture::errors_in_section(problem)) result.insert(error.key);
+  for (const auto& error : cases::errors_in_section(problem)) result.insert(error.key);
   return result;
 }
 

@@ -42,7 +42,7 @@ Seen seen(const cases::Case& c) {
   const auto state = vp::solved(*plate, 1e-8).state;
   Seen result{state.row(0).head(Eigen::Index(plate->cloud().plate_points)).cwiseAbs().maxCoeff(), 0, 0,
               estimated_errors(*plate)};
-  fracture::compare_with_galerkin(*plate, state, c, result.warnings);
+  cases::compare_with_galerkin(*plate, state, c, result.warnings);
   result.deflection = said(result.warnings, "largest deflection");
   result.stress = said(result.warnings, "von Mises");
   return result;
@@ -104,13 +104,13 @@ TEST_CASE("bonds against the Galerkin plate: other analyses of thin plates are c
   const auto plate = vp::assembled(c);
   auto warnings = estimated_errors(*plate);
   REQUIRE(warnings.size() == 2);
-  fracture::compare_under_pressure(*plate, c, warnings);
+  cases::compare_under_pressure(*plate, c, warnings);
   REQUIRE(warnings.size() == 2);  // stress stays foretold
   CHECK_THAT(warnings[1], Catch::Contains("under static pressure"));
   CHECK(said(warnings, "under static pressure") < -0.5);  // measured: -0.93
   c.section.thickness = 0.2;
   const auto thick = vp::assembled(c);
   std::vector<std::string> none;
-  fracture::compare_under_pressure(*thick, c, none);
+  cases::compare_under_pressure(*thick, c, none);
   CHECK(none.empty());
 }

@@ -26,8 +26,8 @@ TEST_CASE("foretell: samples that points are too wide for are taken finer, and n
   const auto plan = cases::plan_of(file.content, {});
   for (const double widest : {100.0, 6.0}) {
     std::size_t runs = 0;
-    const auto told = fracture::estimate_cost(
-        plan, [&](const auto&, const fracture::ReducedRun& reduced) -> std::optional<post::SampleRun> {
+    const auto told = cases::estimate_cost(
+        plan, [&](const auto&, const cases::ReducedRun& reduced) -> std::optional<post::SampleRun> {
           if (reduced.wider > widest) return {};
           ++runs;
           return sample(0.005, reduced.wider);
@@ -36,16 +36,16 @@ TEST_CASE("foretell: samples that points are too wide for are taken finer, and n
     CHECK(told.points == Approx(160000).epsilon(0.001));
     CHECK(told.bonds == Approx(12 * 160000).epsilon(0.001));
     CHECK(double(told.sample_points) >= 160000 / (widest * widest));
-    CHECK_THAT(fracture::to_text(told, plan), Catch::Contains("points        160000"));
+    CHECK_THAT(cases::to_text(told, plan), Catch::Contains("points        160000"));
   }
-  const auto never = [](const auto&, const fracture::ReducedRun&) { return std::optional<post::SampleRun>(); };
-  CHECK_THROWS_AS(fracture::estimate_cost(plan, never), plate::Refused);
+  const auto never = [](const auto&, const cases::ReducedRun&) { return std::optional<post::SampleRun>(); };
+  CHECK_THROWS_AS(cases::estimate_cost(plan, never), plate::Refused);
 }
 
 TEST_CASE("foretell: a sample does less") {
   plate::Discretization points;
   points.spacing = 0.1, points.tip_spacing = 0.01, points.spacing_growth = 0.6;
-  const auto wider = fracture::widened(points, 2);
+  const auto wider = cases::widened(points, 2);
   CHECK(wider.spacing == 0.2);
   CHECK(*wider.tip_spacing == 0.02);
   CHECK(wider.spacing_growth == 1);
@@ -53,7 +53,7 @@ TEST_CASE("foretell: a sample does less") {
   plate::Analysis motion;
   motion.kind = plate::Analysis::Kind::dynamic, motion.method = plate::Analysis::Method::central_difference;
   motion.duration = 5, motion.time_step = 1e-3;
-  const auto shorter = fracture::sampled(motion, {}, {2, false, 64, 1e-2}, false);
+  const auto shorter = cases::sampled(motion, {}, {2, false, 64, 1e-2}, false);
   CHECK(shorter.duration == Approx(0.64));
   CHECK_FALSE(shorter.time_step);
 }
@@ -64,7 +64,7 @@ TEST_CASE("foretell: a motion is sampled for so many steps that a coarse clock c
   constexpr double step = 1e-5, clock = 0.01;  // s
   double most = 0;
   const auto told =
-      fracture::estimate_cost(cases::plan_of(file.content, {}), [&](const auto&, const fracture::ReducedRun& reduced) {
+      cases::estimate_cost(cases::plan_of(file.content, {}), [&](const auto&, const cases::ReducedRun& reduced) {
         auto result = sample(0.05, reduced.wider);
         result.summary.analysis.time_step_limit = 1e-3, result.summary.analysis.steps = std::size_t(reduced.steps);
         const double seconds = clock * std::floor((0.013 + step * reduced.steps) / clock);

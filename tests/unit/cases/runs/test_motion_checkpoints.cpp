@@ -36,7 +36,7 @@ Moved moved(cases::CaseFile file, const plate::Communicator& all, std::size_t st
             const std::filesystem::path& folder) {
   if (auto& initial = file.content.initial)  // formulas are evaluated by one thread at a time
     initial->velocity = plate::Formula(initial->velocity.text());
-  fracture::ValidatedPlate ready;
+  cases::ValidatedPlate ready;
   ready.plate = plate::discretise(file.content, all).plate;
   ready.begin = plate::begin_of_motion(*ready.plate, 1);
   const double limit =
@@ -44,14 +44,14 @@ Moved moved(cases::CaseFile file, const plate::Communicator& all, std::size_t st
   ready.steps = {limit, {0.9 * limit, steps, 5}};
   Moved result;
   plate::Stopwatch stopwatch;
-  fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &result.in_memory, false, &all}),
-                            {std::make_unique<post::MemorySink>(result.in_memory), "", "", all}, stopwatch);
-  fracture::Results results(outputs, *ready.plate, ready.tip_methods);
-  fracture::RunCheckpoints checkpoints(post::Checkpoints(all, folder, "case"), 1e-9);
+  cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &result.in_memory, false, &all}),
+                         {std::make_unique<post::MemorySink>(result.in_memory), "", "", all}, stopwatch);
+  cases::Results results(outputs, *ready.plate, ready.tip_methods);
+  cases::RunCheckpoints checkpoints(post::Checkpoints(all, folder, "case"), 1e-9);
   std::vector<std::string> refused;
   result.went_on = checkpoints.find(refused);
   CHECK(refused.empty());
-  result.summary = fracture::run_once(ready, results, &checkpoints);
+  result.summary = cases::run_once(ready, results, &checkpoints);
   return result;
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("own values: what some processes write of their points others find aga
     const auto plate = plate::discretise(problem, all).plate;
     const auto one = some(plate->boundary(), 0.1), other = some(plate->boundary(), 7);
     const plate::State none(3, 0);
-    const auto own = fracture::own_values(plate->boundary(), {&one, &other, &none});
+    const auto own = cases::own_values(plate->boundary(), {&one, &other, &none});
     post::write_cells(files[std::size_t(all.rank())], own);
   });
   for (const int processes : {1, 2, 5})
@@ -57,7 +57,7 @@ TEST_CASE("own values: what some processes write of their points others find aga
       const auto plate = plate::discretise(problem, all).plate;
       const auto& boundary = plate->boundary();
       plate::State one, other, none;
-      fracture::put_values(boundary, files, {{&one}, {&other}, {&none}});
+      cases::put_values(boundary, files, {{&one}, {&other}, {&none}});
       bool same = true;
       std::size_t own = 0;
       const auto first = some(boundary, 0.1), second = some(boundary, 7);
@@ -77,7 +77,7 @@ TEST_CASE("own values: what some processes write of their points others find aga
                                       [&](const plate::Communicator& all) {
                                         const auto plate = plate::discretise(problem, all).plate;
                                         plate::State one, other, none;
-                                        fracture::put_values(plate->boundary(), files, {{&one}, {&other}, {&none}});
+                                        cases::put_values(plate->boundary(), files, {{&one}, {&other}, {&none}});
                                       }),
                     Catch::Contains("does not have all points"));
 }
@@ -107,10 +107,10 @@ TEST_CASE("own values: one process has all columns again, of fictitious and grad
   for (Eigen::Index i = 0; i < state.size(); ++i)
     state.data()[i] = i % 5 == 0 ? -0.0 : i % 7 == 0 ? NAN : i % 11 == 0 ? -INFINITY : 1 / (double(i) + 0.3);
   const small_run::TemporaryFolder folder;
-  post::write_cells(folder / "points", fracture::own_values(plate->boundary(), {&state, &none}));
+  post::write_cells(folder / "points", cases::own_values(plate->boundary(), {&state, &none}));
   plate::State again;
   const auto complete = [](plate::State&) { FAIL("nothing is missing"); };
-  fracture::put_values(plate->boundary(), {folder / "points"}, {{&again, complete}, {&none, complete}});
+  cases::put_values(plate->boundary(), {folder / "points"}, {{&again, complete}, {&none, complete}});
   REQUIRE(again.cols() == state.cols());
   CHECK(std::memcmp(again.data(), state.data(), std::size_t(state.size()) * sizeof(double)) == 0);
   CHECK(none.cols() == 0);

@@ -15,7 +15,7 @@
 #include "tests/catch.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
 
-using namespace fracture;
+using namespace cases;
 
 namespace {
 

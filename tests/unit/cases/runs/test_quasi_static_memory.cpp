@@ -13,7 +13,7 @@ std::size_t advances(const cases::CaseFile& file, const std::filesystem::path& f
   const cases::RunOptions options{folder, true, nullptr, goes_on};
   auto recording = cases::recording_of(file.content, options);
   CHECK(recording.checkpoints->goes_on() == goes_on);
-  fracture::QuasiStaticRun run(cases::plan_of(file.content, options), plate::discretise(file.content));
+  cases::QuasiStaticRun run(cases::plan_of(file.content, options), plate::discretise(file.content));
   return run(std::move(recording.recorder), recording.checkpoints.get()).growth->advances;
 }
 

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using namespace fracture;
+using namespace cases;
 using small_run::TemporaryFolder;
 
 namespace {

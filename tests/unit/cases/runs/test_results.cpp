@@ -15,10 +15,10 @@ TEST_CASE("results: an instant gives a row of history and of reactions, the larg
   const auto plate = plate::discretise(file.content).plate;
   post::ResultsInMemory written;
   plate::Stopwatch stopwatch;
-  fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &written}),
-                            {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
+  cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &written}),
+                         {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
   const std::vector<post::TipMethods> none;
-  fracture::Results results(outputs, *plate, none);
+  cases::Results results(outputs, *plate, none);
   plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));
   state(0, 7) = -0.25;
   plate->constraints().impose(state);

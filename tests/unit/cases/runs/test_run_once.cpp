@@ -16,7 +16,7 @@ namespace {
 
 struct Once {
   cases::CaseFile file;
-  fracture::ValidatedPlate ready;
+  cases::ValidatedPlate ready;
   post::ResultsInMemory in_memory;
 
   explicit Once(const std::vector<std::string>& settings) : file(read(plain, settings)) {
@@ -24,10 +24,10 @@ struct Once {
   }
   post::Summary run() {
     plate::Stopwatch stopwatch;
-    fracture::Outputs outputs(cases::plan_of(file.content, {{}, true, &in_memory}),
-                              {std::make_unique<post::MemorySink>(in_memory), "", ""}, stopwatch);
-    fracture::Results results(outputs, *ready.plate, ready.tip_methods);
-    return fracture::run_once(ready, results);
+    cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &in_memory}),
+                           {std::make_unique<post::MemorySink>(in_memory), "", ""}, stopwatch);
+    cases::Results results(outputs, *ready.plate, ready.tip_methods);
+    return cases::run_once(ready, results);
   }
   bool has(const std::string& name) const {
     return std::ranges::any_of(in_memory.tables, [&](const auto& table) { return table.first == name; });
@@ -85,10 +85,10 @@ TEST_CASE("run once: what is not finite is named with point, place and time") {
   const plate::NumericalError at("w of point 3 is not finite at step 5, time 0.1", 3);
   post::Summary summary;
   const auto place = once.ready.plate->cloud().positions[3];
-  CHECK(std::string(fracture::placed(at, *once.ready.plate, summary).what()) ==
+  CHECK(std::string(cases::placed(at, *once.ready.plate, summary).what()) ==
         fmt::format("w of point 3 is not finite at step 5, time 0.1; the point is at ({:g}, {:g})", place.x(),
                     place.y()));
   summary.analysis.time_step = 1, summary.analysis.time_step_limit = 2;
-  CHECK_THAT(fracture::placed(plate::NumericalError("no"), *once.ready.plate, summary).what(),
+  CHECK_THAT(cases::placed(plate::NumericalError("no"), *once.ready.plate, summary).what(),
              Catch::Equals("no; the time step 1 is 0.5 of the stable one"));
 }

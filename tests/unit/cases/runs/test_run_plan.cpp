@@ -11,7 +11,7 @@ struct Things {
   std::optional<post::SrifOptions> srif;
   std::map<std::string, geometry::Point> probes;
 
-  fracture::RunPlan plan() const {
+  cases::RunPlan plan() const {
     return {problem, analysis, growth, srif, probes, "", "", "", "", {}, {}, true, true, {}, true};
   }
 };
@@ -21,14 +21,14 @@ struct Things {
 TEST_CASE("run plan: growth keeps a distance from the stable step, bonds that break a larger one") {
   Things things;
   things.analysis.duration = 3, things.analysis.safety = 0.7;
-  const auto options = fracture::grid_options(things.plan());
+  const auto options = cases::grid_options(things.plan());
   CHECK(options.duration == 3);
   CHECK(options.safety == 0.7);
   CHECK(options.most == 1);
   things.growth.emplace();
-  CHECK(fracture::grid_options(things.plan()).most == 0.9);
+  CHECK(cases::grid_options(things.plan()).most == 0.9);
   things.growth->criterion = fracture::Growth::Criterion::bond_energy;
-  CHECK(fracture::grid_options(things.plan()).most == 0.8);
+  CHECK(cases::grid_options(things.plan()).most == 0.8);
 }
 
 TEST_CASE("run plan: growth at rest or in motion") {

@@ -11,10 +11,10 @@ using namespace case_text;
 TEST_CASE("trial: the factors at rest and the plate's solution, or when it was not found") {
   auto c = read(plain + "[srif]\naccuracy = 0.1\n").content;
   c.discretization.spacing = 0.1, c.discretization.tip_spacing.reset(), c.discretization.hole_spacing.reset();
-  fracture::ValidatedPlate ready;
+  cases::ValidatedPlate ready;
   ready.plate = plate::discretise(c).plate;
   ready.tip_methods = post::tip_methods(*ready.plate, *c.srif);
-  const auto trial = fracture::trial(ready, c.analysis, *c.srif);
+  const auto trial = cases::trial(ready, c.analysis, *c.srif);
   REQUIRE(ready.solution);
   REQUIRE(trial.rows.size() == 1);
   CHECK(trial.rows[0].front().K1 != 0);
@@ -22,6 +22,6 @@ TEST_CASE("trial: the factors at rest and the plate's solution, or when it was n
   c.analysis.max_iterations = 1;
   c.analysis.preconditioner = plate::Preconditioning::diagonal;
   CHECK_THROWS_WITH(
-      fracture::factors_at_rest(*ready.plate, ready.tip_methods, c.analysis, *c.srif, "with twice the spacing"),
+      cases::factors_at_rest(*ready.plate, ready.tip_methods, c.analysis, *c.srif, "with twice the spacing"),
       Catch::StartsWith("with twice the spacing: "));
 }

@@ -15,7 +15,7 @@ public:
     std::ofstream(folder_ / "t.toml") << rows;
   }
   cases::Extremes read() const { return cases::read_extremes(folder_ / "t.toml"); }
-  std::vector<post::Verdict> run(const std::string& only = "", const std::vector<std::string>& set = {}) const {
+  std::vector<cases::Verdict> run(const std::string& only = "", const std::vector<std::string>& set = {}) const {
     return cases::run_extremes(read(), {folder_ / "out", set, only, true});
   }
   std::filesystem::path csv() const { return folder_ / "out" / "extremes.csv"; }

@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using post::compare, post::Table, small_run::TemporaryFolder;
+using cases::compare, post::Table, small_run::TemporaryFolder;
 
 namespace {
 
@@ -47,7 +47,7 @@ TEST_CASE("a results folder is compared in every quantity that the reference kno
   const std::vector<double> expected{0.1, 0, 1, 0.5, 0};
   CHECK_THAT(errors, Catch::Matchers::Approx(expected).margin(1e-12));
 
-  const std::string text = post::to_text(rows);
+  const std::string text = cases::to_text(rows);
   CHECK(std::count(text.begin(), text.end(), '\n') == 6);
   CHECK_THAT(text, Catch::Contains("F1_paper_LS") && Catch::Contains("10.000 %"));
 }
@@ -61,17 +61,17 @@ TEST_CASE("tolerances are held against every quantity, by measure or all") {
   post::write_csv(folder / "reference.csv", reference);
   const auto rows = compare(folder.path(), folder / "reference.csv");
   REQUIRE(rows.size() == 2);  // w is 1.1 t, theta_x 0
-  CHECK(post::exceeded(rows, {}).empty());
-  CHECK(post::exceeded({rows[0]}, post::tolerances({"l2=0.11"}, std::nullopt)).empty());
-  const auto above = post::exceeded(rows, post::tolerances({"peak=0.2"}, 0.05));
+  CHECK(cases::exceeded(rows, {}).empty());
+  CHECK(cases::exceeded({rows[0]}, cases::tolerances({"l2=0.11"}, std::nullopt)).empty());
+  const auto above = cases::exceeded(rows, cases::tolerances({"peak=0.2"}, 0.05));
   std::vector<std::string> names;
   for (const auto& one : above) names.push_back(one.quantity + " " + one.measure);
   CHECK(names ==
         std::vector<std::string>{"w l2", "w max", "theta_x l2", "theta_x max", "theta_x peak", "theta_x peak_time"});
   CHECK(above[0].found == Approx(0.1));
   CHECK(above[0].allowed == 0.05);
-  CHECK_THAT(post::to_text(above), Catch::StartsWith("w against w: l2 is 0.1, above 0.05\n"));
-  const auto json = nlohmann::json::parse(post::to_json(rows, above));
+  CHECK_THAT(cases::to_text(above), Catch::StartsWith("w against w: l2 is 0.1, above 0.05\n"));
+  const auto json = nlohmann::json::parse(cases::to_json(rows, above));
   CHECK(json["within"] == false);
   CHECK(json["quantities"][0]["l2"].get<double>() == Approx(0.1));
   CHECK(json["quantities"][0]["peak"]["computed"].get<double>() == Approx(2.2));
@@ -80,8 +80,8 @@ TEST_CASE("tolerances are held against every quantity, by measure or all") {
 
 TEST_CASE("tolerances that say nothing are refused") {
   for (const std::string wrong : {"l3=0.1", "l2", "l2=", "l2=-1", "l2=nan", "l2=1x", "=1"})
-    CHECK_THROWS_AS(post::tolerances({wrong}, std::nullopt), std::invalid_argument);
-  CHECK_THROWS_WITH(post::tolerances({"shft=1"}, std::nullopt), Catch::Contains("did you mean 'shift'?"));
+    CHECK_THROWS_AS(cases::tolerances({wrong}, std::nullopt), std::invalid_argument);
+  CHECK_THROWS_WITH(cases::tolerances({"shft=1"}, std::nullopt), Catch::Contains("did you mean 'shift'?"));
 }
 
 TEST_CASE("a reference without curves is refused") {

@@ -30,17 +30,17 @@ TEST_CASE("comparison: what is above its tolerance is said, and files are writte
   post::write_csv(folder / "run/probes.csv", probes);
   post::write_csv(folder / "reference.csv", reference);
   const auto compared = [&](double within) {
-    return post::compared(folder / "run", folder / "reference.csv", {{{"max", within}}, {}});
+    return cases::compared(folder / "run", folder / "reference.csv", {{{"max", within}}, {}});
   };
   CHECK(compared(0.11).above.empty());
   const auto run = compared(0.09);  // 10 % too large
   REQUIRE(run.above.size() == 1);
-  CHECK_THAT(post::to_text(run), Catch::Contains("max"));
-  post::write(run, {}, {});
+  CHECK_THAT(cases::to_text(run), Catch::Contains("max"));
+  cases::write(run, {}, {});
   CHECK(folder.entries() == 2);
-  post::write(run, folder / "curves.svg", folder / "numbers.json");
+  cases::write(run, folder / "curves.svg", folder / "numbers.json");
   CHECK_THAT(small_run::text_of(folder / "curves.svg"), Catch::Contains("<svg"));
-  post::write(run, folder / "page.html", {});
+  cases::write(run, folder / "page.html", {});
   CHECK_THAT(small_run::text_of(folder / "page.html"), Catch::Contains("<html"));
   CHECK(folder.entries() == 5);
 }
@@ -52,7 +52,7 @@ TEST_CASE("a run and a reference with nothing to compare: what is wrong is said"
   post::write_csv(folder / "pressure.csv", {{"t", "pressure"}, {{0.0, 1.0}, {1.0, 2.0}}});
   const auto problem = [&](const std::string& reference) -> std::string {
     try {
-      post::compared(folder.path(), folder / reference, {});
+      cases::compared(folder.path(), folder / reference, {});
     } catch (const std::exception& error) {
       return error.what();
     }

@@ -31,7 +31,7 @@ TEST_CASE("oracles that hold, and oracles that do not") {
   REQUIRE(csv.rows.size() == 10);
   CHECK(csv.rows[1][csv.column("holds")] == post::Cell("no"));
   CHECK(std::filesystem::exists(table.csv().replace_filename("report.html")));
-  CHECK_THAT(post::to_text(verdicts), Catch::Contains("MISSED") && Catch::Contains("3 iterations"));
+  CHECK_THAT(cases::to_text(verdicts), Catch::Contains("MISSED") && Catch::Contains("3 iterations"));
 }
 
 TEST_CASE("only some rows, with overrides that a row's own prevail over") {

@@ -5,7 +5,8 @@
 #include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
 
-using namespace post;
+using namespace cases;
+using post::Cell, post::Table;
 
 TEST_CASE("cycles: exact where K grows with a power of the length") {
   // K = 5 sqrt a, exponent 3: N = 2 (1 / sqrt a0 - 1 / sqrt a) / (C 125); exponent 2: N = ln(a / a0) / (C 25)

@@ -108,7 +108,7 @@ TEST_CASE("quantities are listed for every run without a reference, with their e
   const auto& rows = outcome.table.rows;
   REQUIRE(rows.size() == 6);
   for (const auto& row : rows) {
-    CHECK(row.outcome == post::RunOutcome::done);
+    CHECK(row.outcome == cases::RunOutcome::done);
     CHECK(row.computed.has_value());
     CHECK_FALSE(row.error());
     CHECK(*row.seconds_min <= *row.seconds);
@@ -120,7 +120,7 @@ TEST_CASE("quantities are listed for every run without a reference, with their e
   CHECK(*rows[1].computed == Approx(2 * *rows[4].computed));  // half as stiff
   CHECK(std::filesystem::exists(studies.out() / "K1_against_half.svg"));
   CHECK(std::filesystem::exists(studies.out() / "study.json"));
-  CHECK(post::orders(outcome.table).empty());
+  CHECK(cases::orders(outcome.table).empty());
 }
 
 TEST_CASE("a study goes on where it was ended: what is done is taken, all else is run") {

@@ -8,7 +8,7 @@
 
 #include "tests/catch.hpp"
 
-using post::RunOutcome;
+using cases::RunOutcome;
 
 namespace {
 
@@ -23,7 +23,7 @@ long shared_work() {
 }  // namespace
 
 TEST_CASE("isolated: what a run comes to is told, however it ends") {
-  using post::Ended, post::isolated;
+  using cases::Ended, cases::isolated;
   CHECK(isolated([] { return Ended{RunOutcome::done}; }).outcome == RunOutcome::done);
   const auto refused = isolated([] { return Ended{RunOutcome::refused, "two\nlines"}; });
   CHECK(refused.outcome == RunOutcome::refused);
@@ -44,7 +44,7 @@ TEST_CASE("isolated: threads of this process neither hinder those of the run, no
   const int before = omp_get_max_threads();
   omp_set_num_threads(2);
   const long expected = shared_work();  // this process has a team now
-  const auto ended = post::isolated([&]() -> post::Ended {
+  const auto ended = cases::isolated([&]() -> cases::Ended {
     return {shared_work() == expected ? RunOutcome::done : RunOutcome::failed, std::to_string(omp_get_max_threads())};
   });
   CHECK(ended.outcome == RunOutcome::done);
@@ -55,7 +55,7 @@ TEST_CASE("isolated: threads of this process neither hinder those of the run, no
 
 TEST_CASE("isolated: nothing that a run changes is changed here") {
   int value = 1;
-  post::isolated([&]() -> post::Ended {
+  cases::isolated([&]() -> cases::Ended {
     value = 2;
     return {RunOutcome::done};
   });

@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using post::Ledger, post::RunOutcome, post::RunRecord;
+using cases::Ledger, cases::RunOutcome, cases::RunRecord;
 
 namespace {
 
@@ -13,7 +13,7 @@ RunRecord record(const std::string& run, RunOutcome outcome = RunOutcome::done) 
   RunRecord result{run, "0123456789012345", "0.1", outcome,
                    outcome == RunOutcome::done ? "" : "a message,\nin two lines"};
   result.cost =
-      post::cost_of({{{"solve", 3}, {"total", 5}}, {{"solve", 1}, {"total", 4}}, {{"solve", 2}, {"total", 9}}});
+      cases::cost_of({{{"solve", 3}, {"total", 5}}, {{"solve", 1}, {"total", 4}}, {{"solve", 2}, {"total", 9}}});
   return result;
 }
 
@@ -25,8 +25,8 @@ TEST_CASE("cost: medians by stage, and the spread of the total") {
   CHECK(cost.seconds == std::vector<std::pair<std::string, double>>{{"solve", 2}, {"total", 5}});
   CHECK(cost.least == 4);
   CHECK(cost.most == 9);
-  CHECK(post::cost_of({{{"total", 1}}, {{"total", 2}}}).seconds[0].second == 1.5);
-  CHECK(post::cost_of({}).repeats == 0);
+  CHECK(cases::cost_of({{{"total", 1}}, {{"total", 2}}}).seconds[0].second == 1.5);
+  CHECK(cases::cost_of({}).repeats == 0);
 }
 
 TEST_CASE("ledger: what is done is found again, with names and digests that look like numbers") {
@@ -72,10 +72,10 @@ TEST_CASE("ledger: what cannot be read counts for nothing") {
 TEST_CASE("ledger: every outcome has a name of its own, by which it is found") {
   for (int i = 0; i <= int(RunOutcome::broken); ++i) {
     const auto outcome = RunOutcome(i);
-    CHECK(post::run_outcome(name_of(outcome)) == outcome);
+    CHECK(cases::run_outcome(name_of(outcome)) == outcome);
   }
   CHECK(std::string(name_of(RunOutcome::interrupted)) == "interrupted");
-  CHECK_FALSE(post::run_outcome("lost"));
+  CHECK_FALSE(cases::run_outcome("lost"));
 }
 
 TEST_CASE("ledger: a record with one bit turned over counts for nothing") {
@@ -102,7 +102,7 @@ TEST_CASE("ledger: a message is kept as it was said, and is a line of runs.csv")
   ledger.put(record("b", RunOutcome::failed));
   CHECK(ledger.known("b")->message == "a message,\nin two lines");
   CHECK(ledger.known("b")->outcome == RunOutcome::failed);
-  post::write_records(folder / "runs.csv", {record("a"), *ledger.known("b")});
+  cases::write_records(folder / "runs.csv", {record("a"), *ledger.known("b")});
   const auto text = small_run::text_of(folder / "runs.csv");
   CHECK(std::ranges::count(text, '\n') == 3);
   CHECK_THAT(text, Catch::Contains("\"a message,; in two lines\""));
@@ -110,7 +110,7 @@ TEST_CASE("ledger: a message is kept as it was said, and is a line of runs.csv")
 
 TEST_CASE("ledger: programs of one package are the same, whatever their instruction set") {
   const auto same = [](const std::string& one, const std::string& other) {
-    return post::same_program({"a", "0", one, RunOutcome::done}, {"a", "0", other, RunOutcome::done});
+    return cases::same_program({"a", "0", one, RunOutcome::done}, {"a", "0", other, RunOutcome::done});
   };
   CHECK(same("0.1 of 17 AVX2", "0.1 of 17 AVX-512"));
   CHECK(same("0.1 of 17", "0.1 of 17 AVX2"));

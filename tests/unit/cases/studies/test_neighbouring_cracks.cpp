@@ -11,7 +11,7 @@ using namespace case_text;
 
 TEST_CASE("neighbouring cracks: their energies give the factor that an integral gives") {
   const auto c = read(plain + "[srif]\nmethods = [\"domain_integral\"]\n", {"discretization.spacing=0.05"}).content;
-  const auto table = post::energy_check(c, c.analysis);
+  const auto table = cases::energy_check(c, c.analysis);
   const auto plate = plate::discretise(c).plate;
   const auto state = plate::static_solution(*plate, c.analysis, {1e-8, 10000, {}}).solution.state;
   const auto factors = post::srifs(*plate, *c.srif, post::tip_methods(*plate, *c.srif), state);
@@ -24,5 +24,5 @@ TEST_CASE("neighbouring cracks: their energies give the factor that an integral 
 
 TEST_CASE("neighbouring cracks: one that is too short to be shortened is refused") {
   const auto c = read(plain, {"geometry.cracks=[[[-0.05,0],[0.05,0]]]"}).content;
-  CHECK_THROWS_AS(post::energy_check(c, c.analysis), plate::Refused);
+  CHECK_THROWS_AS(cases::energy_check(c, c.analysis), plate::Refused);
 }

@@ -5,7 +5,7 @@
 
 #include "tests/catch.hpp"
 
-using post::Comparison, post::Curve;
+using cases::Comparison, post::Curve;
 
 namespace {
 
@@ -25,7 +25,7 @@ std::vector<double> sine(const std::vector<double>& t, double amplitude, double 
 /// Compares curves that can be compared.
 Comparison compare(const std::vector<double>& t, const std::vector<double>& y, const std::vector<double>& reference_t,
                    const std::vector<double>& reference_y) {
-  return std::get<Comparison>(post::compare(t, y, reference_t, reference_y));
+  return std::get<Comparison>(cases::compare(t, y, reference_t, reference_y));
 }
 
 constexpr double period = 2 * std::numbers::pi;
@@ -66,7 +66,7 @@ TEST_CASE("only the common range counts") {
 
 TEST_CASE("curves that cannot be compared: the reason instead") {
   const auto reason = [](const Curve& computed, const Curve& reference) {
-    return std::get<std::string>(post::compare(computed.t, computed.y, reference.t, reference.y));
+    return std::get<std::string>(cases::compare(computed.t, computed.y, reference.t, reference.y));
   };
   CHECK(reason({{0, 1}, {0}}, {{0, 1}, {0, 1}}) == "computed: 2 times, 1 values");
   CHECK(reason({{0, 1}, {0, 1}}, {{}, {}}) == "reference: no samples");
@@ -119,9 +119,9 @@ TEST_CASE("the common range is stated: the reference shorter or longer than the 
 
 TEST_CASE("measures are named, relative and without sign") {
   const auto t = times(0, 3, 301);
-  const auto found = post::measures(compare(t, sine(t, -0.9, 0), t, sine(t, -1, 0)));
-  REQUIRE(found.size() == post::measure_names().size());
-  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i].first == post::measure_names()[i]);
+  const auto found = cases::measures(compare(t, sine(t, -0.9, 0), t, sine(t, -1, 0)));
+  REQUIRE(found.size() == cases::measure_names().size());
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i].first == cases::measure_names()[i]);
   for (std::size_t i = 0; i < 3; ++i) CHECK(found[i].second == Approx(0.1));
   CHECK(found[3].second == 0);
   CHECK(found[4].second == Approx(0).margin(1e-6));

@@ -3,11 +3,11 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/study_of_powers.hpp"
 
-using post::Line, post::Scale, post::study_plots, study_of_powers::row, study_of_powers::study;
+using post::Line, post::Scale, cases::study_plots, study_of_powers::row, study_of_powers::study;
 
 namespace {
 
-const post::StudyTitles titles{"plate", {"h [m]", "spacing [m]"}, true};
+const cases::StudyTitles titles{"plate", {"h [m]", "spacing [m]"}, true};
 
 std::vector<std::string> names(const std::map<std::string, post::CurvePlot>& plots) {
   std::vector<std::string> result;
@@ -103,9 +103,9 @@ TEST_CASE("against a curve the peaks are drawn, against the finest run no refere
 }
 
 TEST_CASE("labels are numbers or words") {
-  CHECK(post::number_of("0.1") == 0.1);
-  CHECK(post::number_of("-1e-3") == -1e-3);
-  for (const char* word : {"", "0.1 m", "thin", "inf", "nan", "1,5"}) CHECK_FALSE(post::number_of(word));
+  CHECK(cases::number_of("0.1") == 0.1);
+  CHECK(cases::number_of("-1e-3") == -1e-3);
+  for (const char* word : {"", "0.1 m", "thin", "inf", "nan", "1,5"}) CHECK_FALSE(cases::number_of(word));
 }
 
 TEST_CASE("a numeric axis over more than a factor of 20 is logarithmic") {

@@ -1,5 +1,6 @@
 #include "post/report/quantity.hpp"
 
+#include "plate/solve/analysis.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 
-using post::StudyRow, small_run::TemporaryFolder;
+using cases::StudyRow, small_run::TemporaryFolder;
 
 namespace {
 
@@ -26,7 +26,7 @@ TEST_CASE("study.csv is read back as it was written") {
   failed.reference.reset();
   failed.message = "two\nlines, and a comma";
   const TemporaryFolder folder;
-  post::write_csv(folder / "study.csv", table(post::StudyTable{{"2a/W"}, {row("0.1", 1.1, 1), failed}}));
+  post::write_csv(folder / "study.csv", table(cases::StudyTable{{"2a/W"}, {row("0.1", 1.1, 1), failed}}));
   const auto table = post::read_csv(folder / "study.csv");
   CHECK(table.columns == std::vector<std::string>{"2a/W",
                                                   "quantity",
@@ -63,7 +63,7 @@ TEST_CASE("the text has a line for each row, columns under their titles, and err
   auto failed = row("b", 0, 0);
   failed.computed.reset();
   failed.message = "one\ntwo";
-  const auto text = to_text(post::StudyTable{{"Länge"}, {row("ä", 0.9975, 1), failed}});
+  const auto text = to_text(cases::StudyTable{{"Länge"}, {row("ä", 0.9975, 1), failed}});
   CHECK(std::ranges::count(text, '\n') == 3);
   CHECK_THAT(text, Catch::Contains("-0.250"));
   CHECK_THAT(text, Catch::Contains("one; two\n"));
@@ -74,9 +74,9 @@ TEST_CASE("the text has a line for each row, columns under their titles, and err
 }
 
 TEST_CASE("an axis called spacing or horizon stands for the column of that name") {
-  post::StudyTable study{{"spacing"}, {row("0.1", 1.1, 1)}};
+  cases::StudyTable study{{"spacing"}, {row("0.1", 1.1, 1)}};
   study.rows[0].spacing = study.rows[0].horizon = 0.1;
-  const auto table = post::table(study);
+  const auto table = cases::table(study);
   CHECK(std::ranges::count(table.columns, "spacing") == 1);
   CHECK(table.rows[0][table.column("spacing")] == post::Cell("0.1"));
   CHECK(table.rows[0][table.column("horizon")] == post::Cell(0.1));
@@ -84,7 +84,7 @@ TEST_CASE("an axis called spacing or horizon stands for the column of that name"
 }
 
 TEST_CASE("the text has a column of methods only where one is named") {
-  post::StudyTable study{{"E"}, {row("0.1", 1.1, 1)}};
+  cases::StudyTable study{{"E"}, {row("0.1", 1.1, 1)}};
   CHECK_THAT(to_text(study), !Catch::Contains("method"));
   study.rows[0].method = "first";
   CHECK_THAT(to_text(study), Catch::Contains("method"));

@@ -3,7 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/unit/post/finished_run.hpp"
 
-using finished_run::FinishedRun, post::Quantity, post::StudyRow, small_run::TemporaryFolder;
+using finished_run::FinishedRun, post::Quantity, cases::StudyRow, small_run::TemporaryFolder;
 
 namespace {
 
@@ -22,8 +22,8 @@ StudyRow row(const std::string& label, double computed, double reference) {
 }  // namespace
 
 TEST_CASE("a reference matches where the labels that it names are those of the run") {
-  const post::Reference all{{"F1", 0}}, load{{"F1", 0}, {{"load", "bending"}}};
-  const post::Reference both{{"F1", 0}, {{"load", "bending"}, {"2a/W", "0.1"}}};
+  const cases::Reference all{{"F1", 0}}, load{{"F1", 0}, {{"load", "bending"}}};
+  const cases::Reference both{{"F1", 0}, {{"load", "bending"}, {"2a/W", "0.1"}}};
   CHECK(matches(all, axes, {"pressure", "0.1"}));
   CHECK(matches(load, axes, {"bending", "0.3"}));
   CHECK_FALSE(matches(load, axes, {"pressure", "0.3"}));
@@ -33,11 +33,11 @@ TEST_CASE("a reference matches where the labels that it names are those of the r
 }
 
 TEST_CASE("two references overlap exactly where some run is matched by both") {
-  std::vector<post::Reference> references;
+  std::vector<cases::Reference> references;
   for (const std::string load : {"", "pressure", "bending"})
     for (const std::string length : {"", "0.1", "0.3"})
       for (const std::size_t tip : {0, 1}) {
-        post::Reference reference{{"F1", tip}};
+        cases::Reference reference{{"F1", tip}};
         if (!load.empty()) reference.where["load"] = load;
         if (!length.empty()) reference.where["2a/W"] = length;
         references.push_back(reference);
@@ -53,12 +53,12 @@ TEST_CASE("two references overlap exactly where some run is matched by both") {
 }
 
 TEST_CASE("a run wants each quantity once, with the reference that matches") {
-  const std::vector<post::Reference> references{{{"F1", 0}, {{"load", "bending"}}, 1.0},
-                                                {{"F1", 0}, {{"load", "pressure"}}, 2.0, "s"},
-                                                {{"K2", 1}, {}, 3.0},
-                                                {{"w", {}, "c"}, {{"load", "bending"}}, 4.0}};
+  const std::vector<cases::Reference> references{{{"F1", 0}, {{"load", "bending"}}, 1.0},
+                                                 {{"F1", 0}, {{"load", "pressure"}}, 2.0, "s"},
+                                                 {{"K2", 1}, {}, 3.0},
+                                                 {{"w", {}, "c"}, {{"load", "bending"}}, 4.0}};
   const auto has = [&](std::size_t i, bool) { return references[i].quantity.name != "K2"; };
-  const auto found = post::wanted({}, references, axes, {"pressure", "0.1"}, has);
+  const auto found = cases::wanted({}, references, axes, {"pressure", "0.1"}, has);
   REQUIRE(found.size() == 2);
   CHECK(found[0].quantity.name == "F1");
   REQUIRE(found[0].reference);
@@ -69,21 +69,22 @@ TEST_CASE("a run wants each quantity once, with the reference that matches") {
 }
 
 TEST_CASE("the first axis is outermost") {
-  CHECK(post::combinations({2, 3}) ==
+  CHECK(cases::combinations({2, 3}) ==
         std::vector<std::vector<std::size_t>>{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}});
-  CHECK(post::combinations({}) == std::vector<std::vector<std::size_t>>{{}});
-  CHECK(post::combinations({2, 0}).empty());
+  CHECK(cases::combinations({}) == std::vector<std::vector<std::size_t>>{{}});
+  CHECK(cases::combinations({2, 0}).empty());
 }
 
 TEST_CASE("names of folders are safe and differ") {
-  CHECK(post::folder_name({"pressure", "none, lattice constants", "0.1"}, {}) == "pressure_none_lattice_constants_0.1");
-  CHECK(post::folder_name({"../../etc"}, {}).find_first_of("/") == std::string::npos);
-  CHECK_FALSE(post::folder_name({".."}, {}).starts_with('.'));
-  CHECK(post::folder_name({}, {}) == "run");
-  CHECK(post::folder_name({"a b"}, {"a_b", "a_b-2"}) == "a_b-3");
+  CHECK(cases::folder_name({"pressure", "none, lattice constants", "0.1"}, {}) ==
+        "pressure_none_lattice_constants_0.1");
+  CHECK(cases::folder_name({"../../etc"}, {}).find_first_of("/") == std::string::npos);
+  CHECK_FALSE(cases::folder_name({".."}, {}).starts_with('.'));
+  CHECK(cases::folder_name({}, {}) == "run");
+  CHECK(cases::folder_name({"a b"}, {"a_b", "a_b-2"}) == "a_b-3");
   for (const char* file : {"study.csv", "orders.csv", "error_against_points.svg", "study.csv.partial"})
-    CHECK(post::folder_name({file}, {}) != file);
-  CHECK(post::folder_name({std::string(1000, 'x')}, {}).size() < 200);
+    CHECK(cases::folder_name({file}, {}) != file);
+  CHECK(cases::folder_name({std::string(1000, 'x')}, {}).size() < 200);
 }
 
 TEST_CASE("errors are relative to the reference, with its sign") {
@@ -101,8 +102,8 @@ TEST_CASE("a finished run has a row for each quantity") {
   StudyRow known;
   known.labels = {"a"};
   known.spacing = 0.1;
-  const auto rows = post::study_rows(known, {{{"K1", 0}, post::Known(0.4), "a book"}, {{"K1", 5}, post::Known(1.0)}},
-                                     run.summary, run.folder.path());
+  const auto rows = cases::study_rows(known, {{{"K1", 0}, cases::Known(0.4), "a book"}, {{"K1", 5}, cases::Known(1.0)}},
+                                      run.summary, run.folder.path());
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].source == "a book");
   CHECK(rows[0].labels == known.labels);
@@ -116,14 +117,14 @@ TEST_CASE("a finished run has a row for each quantity") {
   CHECK(rows[0].message.empty());
   CHECK_FALSE(rows[1].computed);
   CHECK_FALSE(rows[1].message.empty());
-  CHECK(post::study_rows(known, {}, run.summary, run.folder.path()).size() == 1);
+  CHECK(cases::study_rows(known, {}, run.summary, run.folder.path()).size() == 1);
 }
 
 TEST_CASE("a method that a run lacks is said in its row, with those that it has") {
   const FinishedRun run;
-  const auto rows = post::study_rows(
-      {}, {{{"K1", 0, {}, "series_fit"}, post::Known(100.0)}, {{"K1", 0, {}, "third"}, post::Known(1.0)}}, run.summary,
-      run.folder.path());
+  const auto rows = cases::study_rows(
+      {}, {{{"K1", 0, {}, "series_fit"}, cases::Known(100.0)}, {{"K1", 0, {}, "third"}, cases::Known(1.0)}},
+      run.summary, run.folder.path());
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].method == "series_fit");
   CHECK(*rows[0].error() == Approx(-0.01));
@@ -135,9 +136,9 @@ TEST_CASE("a method that a run lacks is said in its row, with those that it has"
 
 TEST_CASE("the error against a curve is the rms difference over the largest value of the curve") {
   const FinishedRun run;  // w of probe 7 is 1 at time 0 and 5 at time 1
-  const post::KnownCurve known{"some/curves.csv", "w", {{0, 0.5, 1}, {1.5, 3.5, -4}}};
-  const auto rows = post::study_rows(
-      {}, {{{"w", {}, "7"}, known}, {{"w", {}, "7"}, post::KnownCurve{"c.csv", "w", {{3, 4}, {1, 1}}}}}, run.summary,
+  const cases::KnownCurve known{"some/curves.csv", "w", {{0, 0.5, 1}, {1.5, 3.5, -4}}};
+  const auto rows = cases::study_rows(
+      {}, {{{"w", {}, "7"}, known}, {{"w", {}, "7"}, cases::KnownCurve{"c.csv", "w", {{3, 4}, {1, 1}}}}}, run.summary,
       run.folder.path());
   REQUIRE(rows.size() == 2);
   CHECK(*rows[0].error() == Approx(std::sqrt((0.25 + 0.25 + 81) / 3) / 4));
@@ -155,9 +156,9 @@ TEST_CASE("errors are relative to the reference or to a scale, estimated ones to
   summary.srif.front().errors[0] = 0.02;
   StudyRow known;
   known.labels = {"a"};
-  const auto rows = post::study_rows(
+  const auto rows = cases::study_rows(
       known,
-      {{{"K1", 0}, post::Known(0.4), ""}, {{"K1", 0}, post::Known(0.0), "", 2.0}, {{"K1", 0}, post::Known(0.0), ""}},
+      {{{"K1", 0}, cases::Known(0.4), ""}, {{"K1", 0}, cases::Known(0.0), "", 2.0}, {{"K1", 0}, cases::Known(0.0), ""}},
       summary, run.folder.path());
   CHECK(*rows[0].error() == Approx(0.25));
   CHECK(*rows[0].estimated_error() == Approx(0.05));

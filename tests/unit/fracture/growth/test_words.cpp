@@ -21,6 +21,8 @@ TEST_CASE("words: every end of a growth has its own") {
 TEST_CASE("words: what became of a motion") {
   fracture::MovingGrowthOutcome moved;
   CHECK(fracture::in_words(moved) == "no growth");
+  moved.under_way = 2;
+  CHECK(fracture::in_words(moved) == "2 pieces of crack have begun, none has ended");
   moved.advances = 3, moved.reached = {"'left'", "crack 1"};
   CHECK(fracture::in_words(moved) == "3 pieces of crack, 'left', crack 1 reached");
   moved.stopped = {"tip 1 would turn"};

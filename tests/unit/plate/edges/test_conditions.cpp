@@ -2,8 +2,9 @@
 
 #include "plate/model/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 
-using namespace plate;
+using namespace edge_bodies;
 
 namespace {
 

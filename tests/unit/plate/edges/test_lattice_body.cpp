@@ -1,7 +1,8 @@
 #include "plate/edges/lattice_body.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 
-using namespace plate;
+using namespace edge_bodies;
 
 TEST_CASE("lattice body: nodes, fictitious nodes and surface nodes of bars, rectangles and boxes") {
   const auto bar = box_body({5}, 3), plane = box_body({4, 3}, 2), box = box_body({3, 2, 2}, 1);

@@ -11,8 +11,9 @@
 #include "plate/model/problem.hpp"
 #include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
+#include "tests/unit/plate/edges/edge_bodies.hpp"
 
-using namespace plate;
+using namespace edge_bodies;
 using geometry::Point;
 
 namespace {

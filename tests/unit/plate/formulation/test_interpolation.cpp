@@ -1,5 +1,6 @@
 #include "plate/formulation/interpolation.hpp"
 
+#include <array>
 #include <functional>
 #include <random>
 
@@ -114,4 +115,17 @@ TEST_CASE("interpolation: of the points that a place sees, those near it and on 
   CHECK(above[1].second == Point(1.5, 1.5));
   CHECK(plate::visible_from({1.2, 0.9}, 1.2, lattice, 5, crack).front().first == 0);
   CHECK(plate::visible_from({1.2, 0.9}, 1.2, lattice, 5, {}).size() == 4);
+}
+
+TEST_CASE("level transfer: transposed, every share stands at the other point, in ascending order") {
+  const plate::LevelTransfer<double> finer{{0, 2, 2, 3}, {{1, 0.25, 1, 2}, {0, 0.75, 3, 4}, {1, 1, 5, 6}}};
+  const auto coarser = finer.transposed(3);
+  CHECK(coarser.first == std::vector<std::size_t>{0, 1, 3, 3});
+  const std::array expected{std::array{0.0, 0.75, 3.0, 4.0}, std::array{0.0, 0.25, 1.0, 2.0},
+                            std::array{2.0, 1.0, 5.0, 6.0}};
+  REQUIRE(coarser.shares.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const auto& share = coarser.shares[i];
+    CHECK(std::array{double(share.other), share.weight, share.x, share.y} == expected[i]);
+  }
 }

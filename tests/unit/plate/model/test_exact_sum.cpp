@@ -74,3 +74,23 @@ TEST_CASE("the largest and the sum of all processes, of a single process the num
   });
   CHECK(right == std::array{true, true, true});
 }
+
+TEST_CASE("indices at owners: every ghost gets the index that its owner finds by the key, in ascending order") {
+  std::array<bool, 3> right{};
+  thread_ranks::run(3, [&](const Communicator& all) {
+    const int self = all.rank();
+    std::vector<std::vector<std::uint32_t>> ghosts(3);
+    std::vector<std::vector<double>> keys(3);
+    for (int owner = 0; owner < 3; ++owner)
+      if (owner != self)
+        ghosts[std::size_t(owner)] = {std::uint32_t(9 - owner)}, keys[std::size_t(owner)] = {0.5 + self};
+    const auto found = indices_at_owners(
+        all, ghosts, keys, [&](double key) { return std::uint32_t(100 * self) + std::uint32_t(2 * key); });
+    bool as_expected = found.size() == 2 && found[0].point < found[1].point;
+    for (const auto& [point, owner, of_owner] : found)
+      as_expected =
+          as_expected && point == std::uint32_t(9 - owner) && of_owner == unsigned(100 * owner + 2 * self + 1);
+    right[std::size_t(self)] = as_expected;
+  });
+  CHECK(right == std::array{true, true, true});
+}

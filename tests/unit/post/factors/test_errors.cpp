@@ -163,19 +163,6 @@ TEST_CASE("an energy release rate that is not positive gives no factors, unless 
         std::array{false, false, false});
 }
 
-TEST_CASE("the error of the leading factor is of the largest one, of the first entry of every tip") {
-  const auto of = [](std::size_t tip, double K1, double K2, double K3, const std::array<double, 3>& errors) {
-    post::Srif srif;
-    srif.tip = tip, srif.K1 = K1, srif.K2 = K2, srif.K3 = K3;
-    for (std::size_t i = 0; i < 3; ++i) srif.errors[i] = errors[i];
-    return srif;
-  };
-  CHECK(post::error_of_leading({}, 0.1) == 0);
-  CHECK(post::error_of_leading({of(0, 0, 0, 0, {1, 1, 1})}, 0.1) == 0);
-  CHECK(post::error_of_leading({of(0, -2, 1, 0, {0.1, 9, 9}), of(0, 2, 1, 0, {9, 9, 9})}, 0.1) == Approx(0.05));
-  CHECK(post::error_of_leading({of(0, 2, 1, 0, {0.1, 9, 9}), of(3, 2, 1, 50, {9, 9, 10})}, 0.1) == Approx(0.2));
-}
-
 TEST_CASE("a tip that others shield knows its factors no better than the field of the plate is known") {
   const std::vector<FitSrif> fits{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}};
   std::vector<Srif> all = estimated({by_energy(SrifMethod::domain_integral, 1, 0.2, 3)}, fits);

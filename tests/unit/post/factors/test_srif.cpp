@@ -45,15 +45,6 @@ TEST_CASE("srif: what is added to errors is added once to each that is known") {
   CHECK(*srif.estimated_error == Approx(0.07));
 }
 
-TEST_CASE("srif: the error of the leading factor, by the first method of each tip") {
-  auto a = with(10, 1, 2), better = a, b = with(1, 0, 8);
-  a.errors = {0.5, 0.9, {}}, better.errors = {9, 9, 9}, b.tip = 1, b.errors = {1, 1, 0.8};
-  CHECK(error_of_leading({a, better}, h) == Approx(0.05));
-  CHECK(error_of_leading({a, better, b}, h) == Approx(0.1));  // 0.8 of 8
-  CHECK(error_of_leading({with(0, 0, 0)}, h) == 0);
-  CHECK(error_of_leading({}, h) == 0);
-}
-
 TEST_CASE("srif: the difference between two formulations is symmetric, and counts in the error") {
   auto one = with(10, 1, 0), other = with(8, 1, 2);
   const auto kept = one;

@@ -207,15 +207,15 @@ TEST_CASE("thinning keeps the ends and every extreme that the width shows") {
 
 TEST_CASE("a comparison has a panel for each quantity, its references under the computed curve") {
   const Curve curve = wave(20);
-  post::Comparison errors;
+  cases::Comparison errors;
   errors.relative_rms = 0.0231;
   errors.peak_error = -0.0085;
-  const auto plot = post::plot({{"w", "w", errors, curve, curve},
-                                {"F1", "F1_J", errors, curve, curve},
-                                {"F1", "F1_paper_LS", errors, curve, curve},
-                                {"K1", "K1", errors, curve, curve},
-                                {"K3", "K3", errors, curve, curve}},
-                               "plate");
+  const auto plot = cases::plot({{"w", "w", errors, curve, curve},
+                                 {"F1", "F1_J", errors, curve, curve},
+                                 {"F1", "F1_paper_LS", errors, curve, curve},
+                                 {"K1", "K1", errors, curve, curve},
+                                 {"K3", "K3", errors, curve, curve}},
+                                "plate");
   CHECK(plot.title == "plate");
   REQUIRE(plot.panels.size() == 3);
   CHECK(plot.panels[0].y_title == "deflection w");
@@ -227,7 +227,8 @@ TEST_CASE("a comparison has a panel for each quantity, its references under the 
   CHECK(factor[2].line == Line::computed);
   CHECK_THAT(factor[0].label, Catch::Contains("F1_J") && Catch::Contains("2.31 %") && Catch::Contains("\u22120.85 %"));
   CHECK(is_balanced(to_svg(plot)));
-  const auto metres = post::plot({{"w", "w", errors, curve, curve}, {"F1", "F1", errors, curve, curve}}, "plate", true);
+  const auto metres =
+      cases::plot({{"w", "w", errors, curve, curve}, {"F1", "F1", errors, curve, curve}}, "plate", true);
   CHECK(metres.panels[0].y_title == "deflection w [m]");
   CHECK(metres.panels[0].t_title == "time [s]");
   CHECK(metres.panels[1].y_title == "normalized factor F1");
@@ -236,10 +237,10 @@ TEST_CASE("a comparison has a panel for each quantity, its references under the 
 TEST_CASE("the title is that of the summary, or else the name of the folder") {
   const small_run::TemporaryFolder folder;
   const std::string name = folder.path().filename().string();
-  CHECK(post::title_of(folder.path()) == name);
-  CHECK(post::title_of(folder.path() / "") == name);
+  CHECK(cases::title_of(folder.path()) == name);
+  CHECK(cases::title_of(folder.path() / "") == name);
   std::ofstream(folder / "summary.json") << "{ broken";
-  CHECK(post::title_of(folder.path()) == name);
+  CHECK(cases::title_of(folder.path()) == name);
   std::ofstream(folder / "summary.json") << R"({"title": "Plate & crack"})";
-  CHECK(post::title_of(folder.path()) == "Plate & crack");
+  CHECK(cases::title_of(folder.path()) == "Plate & crack");
 }

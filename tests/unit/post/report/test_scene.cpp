@@ -2,6 +2,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/solve/analysis.hpp"
 #include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
