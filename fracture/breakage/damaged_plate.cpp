@@ -6,7 +6,6 @@
 #include <span>
 
 #include "fracture/breakage/broken_bonds.hpp"
-#include "plate/bonds/part_of_lattice.hpp"
 #include "plate/bonds/results.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"

@@ -35,12 +35,6 @@ constexpr double reach_about_tips(double horizon_ratio) {
 OperatedPart operated(const PartOfLattice& part, Boundary& boundary, const geometry::Families& families,
                       const std::vector<geometry::Tip>& tips);
 
-/// Points that a rank knows beside its owned points, where more are requested than their forces need.
-struct Surroundings {
-  std::vector<char> known;                       // points whose states are known
-  std::shared_ptr<const HaloExchange> exchange;  // of those that others own
-};
-
 /// Points within `reach` of the box of a rank [spacings], at most reach_about_tips(). Nothing where one process holds
 /// the whole plate.
 std::optional<Surroundings> surroundings(const geometry::Outline& outline, const Discretization& discretization,

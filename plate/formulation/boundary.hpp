@@ -98,4 +98,10 @@ std::vector<Holder> holders_of(const std::vector<Support>& supports);
 /// The number of the holder of edges; that of holders where there is none.
 std::uint32_t holder(const std::vector<Holder>& holders, const std::string& name);
 
+/// Points that a rank knows beside its owned points, where more are requested than their forces need.
+struct Surroundings {
+  std::vector<char> known;                       // points whose states are known
+  std::shared_ptr<const HaloExchange> exchange;  // of those that others own
+};
+
 }  // namespace plate
