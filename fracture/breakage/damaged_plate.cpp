@@ -8,6 +8,7 @@
 #include "fracture/breakage/broken_bonds.hpp"
 #include "plate/bonds/results.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/tip_view.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "post/files/frame.hpp"

@@ -8,11 +8,11 @@
 #include "plate/bonds/family_operator.hpp"
 #include "plate/bonds/family_weights.hpp"
 #include "plate/formulation/boundary.hpp"
-#include "plate/formulation/tip_view.hpp"
 #include "plate/solve/archive_types.hpp"
 
 namespace plate {
 class Formulation;
+class TipView;
 struct Mesh;
 struct Surroundings;
 }  // namespace plate
