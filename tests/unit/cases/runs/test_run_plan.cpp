@@ -1,4 +1,5 @@
 #include "cases/runs/run_plan.hpp"
+#include "plate/model/problem.hpp"
 #include "tests/catch.hpp"
 
 namespace {
