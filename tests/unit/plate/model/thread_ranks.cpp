@@ -12,6 +12,7 @@
 
 #include "plate/model/communicator.hpp"
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/reduction.hpp"
 #include "tests/unit/plate/model/thread_mail.hpp"
 
 namespace thread_ranks {
