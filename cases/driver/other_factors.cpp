@@ -9,6 +9,7 @@
 #include "cases/runs/results.hpp"
 #include "cases/runs/run_once.hpp"
 #include "fracture/growth/distributed_growth.hpp"
+#include "plate/model/errors.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/files/results_in_memory.hpp"
 
@@ -39,6 +40,7 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
   CaseFile coarse = file;
   Case& c = coarse.content;
   c.discretization.spacing *= 2, c.srif->richardson = c.srif->second_formulation = false;
+  c.output.vtk = c.output.hdf5 = false, c.output.probes.clear();
   std::vector<std::vector<post::Srif>> rows;
   std::vector<bool> works;
   if (!c.load_cases.empty()) {
@@ -48,7 +50,11 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
     const RunOptions options{{}, true, &unused, false, of_run.communicator};
     Outputs outputs(plan_of(prepared.file.content, options), recording_of(prepared.file.content, options).recorder,
                     stopwatch);
-    rows = factors_of(run_load_cases(prepared, outputs));
+    try {
+      rows = factors_of(run_load_cases(prepared, outputs));
+    } catch (const plate::NumericalError& error) {
+      throw plate::NumericalError(fmt::format("with twice the spacing: {}", error.what()));
+    }
     for (const auto& tip : prepared.tip_methods) works.push_back(tip.works());
   } else {
     const auto found = discretised(coarse, *of_run.communicator);

@@ -53,7 +53,7 @@ public:
   const std::vector<post::Probe>& probes() const { return probes_; }
   /// A row of history and probes.
   void row(const post::Sample& sample, const plate::Formulation& plate);
-  /// Are frames wanted, to be drawn or to go on from?
+  /// True where frames are wanted, to be drawn or to go on from.
   bool takes_frames() const { return recorder_.draws() || recorder_.stores(); }
   /// A frame, with other cells where they are given; `velocity` [3 x points] or without columns.
   void frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh = {},

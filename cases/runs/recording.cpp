@@ -37,7 +37,8 @@ bool finds(RunCheckpoints* checkpoints, const RecordingOptions& options) {
 
 /// Identifies the runs that may continue from a checkpoint: the same case by the same build of the program.
 std::string run_of(const RecordingOptions& options) {
-  return fmt::format("case {}, program {} of {}", post::digest(options.resolved), options.version, plate::build());
+  return fmt::format("case {}, program {} of {}, {}", post::digest(options.resolved), options.version, plate::build(),
+                     options.communicator->distributed() ? "several processes" : "one process");
 }
 
 /// Removes what an earlier run wrote, unless this one goes on from it.

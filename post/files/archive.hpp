@@ -12,7 +12,7 @@ template <typename Archive>
 void archive_name(Archive& archive, SrifMethod& method) {
   std::string name = name_of(method);
   archive(name);
-  method = srif_method(name).value();
+  if constexpr (Archive::is_loading::value) method = srif_method(name).value();
 }
 
 template <typename Archive>

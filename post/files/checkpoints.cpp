@@ -285,7 +285,7 @@ bool Checkpoints::any() const {
 void Checkpoints::remove() const {
   if (all_->rank() > 0) return;
   std::error_code none;
-  std::vector<fs::path> files{folder_ / names[0]};
+  std::vector<fs::path> files{folder_ / names[0], folder_ / names[1]};  // before the points that they refer to
   for (const auto& entry : fs::directory_iterator(folder_, none))
     if (entry.path().filename().string().starts_with("checkpoint.")) files.push_back(entry.path());
   for (const auto& path : files) fs::remove(path, none);

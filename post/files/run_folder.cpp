@@ -105,7 +105,8 @@ std::size_t remove_earlier(const fs::path& folder, Parts parts) {
   // still one of results
   std::ranges::sort(old, {}, [](const fs::path& path) {
     const auto name = path.filename().string();
-    return name == mark ? 2 : name.starts_with("checkpoint") || name == "summary.json" ? 0 : 1;
+    const bool first = name == "checkpoint" || name == "checkpoint.before" || name == "summary.json";
+    return name == mark ? 2 : first ? 0 : 1;
   });
   std::size_t count = 0;
   for (const char* part : {"motion", "ordinary", "galerkin"}) {

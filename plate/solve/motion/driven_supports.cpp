@@ -87,17 +87,21 @@ std::array<double, N> DrivenSupports::sum(const Terms& terms) const {
   return sum_of_items<N>(*constraints_, driven_.size(), each);
 }
 
+void DrivenSupports::leave_out(State& state) const {
+  for (const auto& one : driven_) at_dof(state, one.dof) -= one.now;
+}
+
 template <typename Real>
-void DrivenSupports::take(Values<Real>& force) {
+void DrivenSupports::take(Values<Real>& force, const Forces& contact) {
   for (auto& one : driven_) {
     auto& own = at_dof(force, one.dof);
-    one.force = double(own);
+    one.force = double(own), one.contact = contact.cols() > 0 ? at_dof(contact, one.dof) : 0;
     own -= Real(one.mass * one.acceleration);
   }
 }
 
-template void DrivenSupports::take(Values<double>&);
-template void DrivenSupports::take(Values<float>&);
+template void DrivenSupports::take(Values<double>&, const Forces&);
+template void DrivenSupports::take(Values<float>&, const Forces&);
 
 namespace {
 
@@ -112,11 +116,13 @@ Terms(OfItself, OfLeader) -> Terms<OfItself, OfLeader>;  // clang 16 deduces non
 }  // namespace
 
 template <typename Real>
-void DrivenSupports::add_work(const State& state, const State& velocity, const Values<Real>& folded, double half) {
+void DrivenSupports::add_work(const State& state, const State& velocity, const Values<Real>& folded,
+                              const Forces& contact, double half) {
   if (!any()) return;
   for (auto& leader : leaders_) {
     if (!leader.own) continue;
     double force = double(at_dof(folded, leader.dof));
+    if (contact.cols() > 0) force += at_dof(contact, leader.dof);
     for (std::size_t l = 0; l < histories_.size(); ++l) force += factor(histories_[l], time_) * leader.loads[l];
     leader.acceleration = force * leader.inverse_mass;
     leader.velocity = at_dof(velocity, leader.dof) + half * leader.acceleration;
@@ -125,11 +131,13 @@ void DrivenSupports::add_work(const State& state, const State& velocity, const V
   const auto on_the_way = [](const Driven& one, double reaction, const auto& add) {
     add(0, reaction * (one.now - one.before)), add(1, reaction * (one.next - one.now)), add(2, reaction * one.now);
   };
-  const auto [since, ahead, slowly] = sum<3>(
-      Terms{[&](const Driven& one, const auto& add) { on_the_way(one, one.mass * one.acceleration - one.force, add); },
-            [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
-              on_the_way(one, mass * leader.acceleration, add);
-            }});
+  const auto [since, ahead, slowly] =
+      sum<3>(Terms{[&](const Driven& one, const auto& add) {
+                     on_the_way(one, one.mass * one.acceleration - one.force - one.contact, add);
+                   },
+                   [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
+                     on_the_way(one, mass * leader.acceleration, add);
+                   }});
   if (counted_)
     work_ += (since + ahead_) / 2;
   else if (slow_)
@@ -137,8 +145,8 @@ void DrivenSupports::add_work(const State& state, const State& velocity, const V
   ahead_ = ahead, counted_ = true;
 }
 
-template void DrivenSupports::add_work(const State&, const State&, const Values<double>&, double);
-template void DrivenSupports::add_work(const State&, const State&, const Values<float>&, double);
+template void DrivenSupports::add_work(const State&, const State&, const Values<double>&, const Forces&, double);
+template void DrivenSupports::add_work(const State&, const State&, const Values<float>&, const Forces&, double);
 
 void DrivenSupports::complete(Instant& seen) const {
   if (!any()) return;

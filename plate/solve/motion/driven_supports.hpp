@@ -32,12 +32,17 @@ public:
   void place_next(State& state) const;
   /// Adds to a state where the supports are at `time`.
   void place(State& state, double time) const;
+  /// Subtracts from a state where the supports are now: the rest is what loads work on.
+  void leave_out(State& state) const;
   /// Takes the internal force in hand, and adds the inertia of what is held to it, before it is carried over.
+  /// `contact`: force of a mass that presses on the plate, without columns where none does.
   template <typename Real>
-  void take(Values<Real>& force);
-  /// Adds, after that, the work of the supports up to now. `half`: step from the velocity to that of now.
+  void take(Values<Real>& force, const Forces& contact);
+  /// Adds, after that, the work of the supports up to now. `half`: step from the velocity to that of now; `contact`:
+  /// folded.
   template <typename Real>
-  void add_work(const State& state, const State& velocity, const Values<Real>& folded, double half);
+  void add_work(const State& state, const State& velocity, const Values<Real>& folded, const Forces& contact,
+                double half);
 
   double work() const { return work_; }
   /// Adds the contributions of the held degrees of freedom to kinetic energies, strain energy, velocities and
@@ -66,7 +71,7 @@ private:
     double before = 0, now = 0, next = 0;                      // where it is
     double speed = 0, acceleration = 0;                        // its own, beside what it follows
     double follows_at = 0;
-    double force = 0;  // internal
+    double force = 0, contact = 0;  // internal, of the mass that presses
   };
   double place_of(const Driven& one, double time) const;
   template <std::size_t N, typename Terms>

@@ -168,6 +168,16 @@ std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, 
   return held;
 }
 
+/// State on which loads that move do work: without where supports are, which those account for. Nothing where it is the
+/// state.
+std::optional<State> state_that_loads_move(const State& state, const DrivenSupports& driven,
+                                           const TravellingLoads& travelling) {
+  if (!driven.any() || !travelling.any()) return std::nullopt;
+  State result = state;
+  driven.leave_out(result);
+  return result;
+}
+
 /// `internal_force(state, what it awaits or nothing, force)` in the number Real.
 template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, DrivenSupports driven,
@@ -200,16 +210,17 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     driven.at(time, dt, step == 0);
     auto held_force = find_forces(internal_force, constraints, now, rest ? &*rest : nullptr,
                                   observed && options.held_forces, force, contact_and_damping);
-    driven.take(force);
+    driven.take(force, contact_and_damping.pressed());
     std::optional<Values<Real>> own;  // of the plate alone
     if (options.changes && travelling.any()) constraints.fold(own.emplace(force));
-    travelling.add(time, dt, state, force);
+    const auto free = state_that_loads_move(state, driven, travelling);
+    travelling.add(time, dt, free ? *free : state, force);
     constraints.fold(force), contact_and_damping.fold(constraints);
     if constexpr (std::is_same_v<Real, double>)
       if (options.changes) options.changes->after_force(now, own ? *own : force);
     if (masses.varies()) masses.at(time);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
-    driven.add_work(state, velocity, force, step == 0 ? 0 : dt / 2);
+    driven.add_work(state, velocity, force, contact_and_damping.pressed(), step == 0 ? 0 : dt / 2);
     const auto [before, after] =
         contact_and_damping.damps() ? losses(now, force, masses, contact_and_damping) : std::array<double, 2>{0, 0};
     if (observed) {

@@ -45,7 +45,8 @@ Moved moved(cases::CaseFile file, const plate::Communicator& all, std::size_t st
   Moved result;
   plate::Stopwatch stopwatch;
   cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &result.in_memory, false, &all}),
-                         {std::make_unique<post::MemorySink>(result.in_memory), "", "", all}, stopwatch);
+                         {std::make_unique<post::MemorySink>(result.in_memory), "", "", post::ProcessesOfRun(all)},
+                         stopwatch);
   cases::Results results(outputs, *ready.plate, ready.tip_methods);
   cases::RunCheckpoints checkpoints(post::Checkpoints(all, folder, "case"), 1e-9);
   std::vector<std::string> refused;

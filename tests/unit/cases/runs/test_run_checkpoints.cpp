@@ -1,5 +1,6 @@
 #include "cases/runs/checkpoints.hpp"
 
+#include "plate/model/point_map.hpp"
 #include "plate/solve/archive.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"

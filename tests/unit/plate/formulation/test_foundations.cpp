@@ -5,6 +5,7 @@
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "geometry/shape/patch.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/supports.hpp"
 #include "tests/catch.hpp"
