@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/model/loads.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;
