@@ -4,6 +4,7 @@
 #include "plate/bonds/family_weights.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "tests/catch.hpp"
 #include "tests/dense.hpp"

@@ -26,7 +26,7 @@ TEST_CASE("without settlements nothing is driven, with them what is held is wher
   CHECK(state(0, 1) == Approx(-0.625));
   CHECK(state(0, 2) == 0);
   Forces force = Forces::Constant(3, 3, 2);
-  driven.take(force);  // no acceleration
+  driven.take(force, plate::zero_forces(0));  // no acceleration
   CHECK(force == Forces::Constant(3, 3, 2));
   const auto memory = driven.memory();
   DrivenSupports other(loads, constraints, mass, mass);

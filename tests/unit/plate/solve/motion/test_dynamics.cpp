@@ -3,6 +3,7 @@
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
