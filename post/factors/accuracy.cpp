@@ -235,7 +235,7 @@ double worst_error(const Srif& srif, double thickness) {
 
 /// Widens errors to the factors of the same tips after a later discretisation, unless that knows much less of a tip.
 void widen_to(const std::vector<std::vector<Srif>>& later, std::vector<std::vector<Srif>>& rows, double thickness) {
-  constexpr double much = 3;
+  constexpr double much = 2;
   for (std::size_t row = 0; row < rows.size() && row < later.size(); ++row)
     for (auto& srif : rows[row]) {
       const auto other = std::ranges::find(later[row], srif.tip, &Srif::tip);

@@ -41,7 +41,7 @@ struct BestFactors {
 
 /// Returns the factors with the least error among those known after every discretisation of a path, as refined() gives
 /// them. Errors are first widened to reach the factors of any later discretisation, one after the other, unless these
-/// are within them or have more than three times the error as widened so far. Returns the last where none has factors
+/// are within them or have more than twice the error as widened so far. Returns the last where none has factors
 /// at every tip.
 BestFactors best_of(std::vector<std::vector<std::vector<Srif>>> refined, std::size_t tips, double thickness,
                     double nominal);

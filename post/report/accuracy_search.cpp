@@ -177,6 +177,7 @@ public:
             failed == most ? why : end_before(size, found_.path, vectors_, seconds_since(start_), options_);
         continue;
       }
+      try_between();
       if (found_.path.back().error && *found_.path.back().error <= found_.asked) break;
       const auto next = next_size(found_.path, vectors_, seconds_since(start_), options_);
       size = next.size, found_.ended_by = next.end;
@@ -188,6 +189,20 @@ public:
   }
 
 private:
+  /// Where the last discretisation is two steps finer than the one before it and its error is larger, replaces it by
+  /// the one between, if that can be had.
+  void try_between() {
+    auto& path = found_.path;
+    if (path.size() < 2) return;
+    const auto &last = path.back(), &before = path[path.size() - 2];
+    const double size = before.size / doubles_the_points;
+    if (last.size > 0.9 * size || !last.error || !before.error || *last.error <= *before.error) return;
+    auto finest = std::move(path.back());
+    path.pop_back();
+    if (!end_before(size, path, vectors_, seconds_since(start_), options_).empty() || !step(size).empty())
+      path.push_back(std::move(finest));
+  }
+
   /// Adds a discretisation to the path; else why there is none.
   std::string step(double size) {
     const auto begin = Clock::now();

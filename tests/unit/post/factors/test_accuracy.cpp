@@ -150,13 +150,13 @@ TEST_CASE("accuracy: the best of a path is what is told, widened to what finer p
   CHECK(best.rows[0][0].K1 == 2);
   CHECK(*best.error == Approx(0.05));
   // but where it is beyond the error, that was too small
-  best = best_of({known(2, 0.1), known(2.2, 0.25)}, 1, h, 0);
+  best = best_of({known(2, 0.1), known(2.15, 0.19)}, 1, h, 0);
   CHECK(best.rows[0][0].K1 == 2);
-  CHECK(*best.rows[0][0].errors[0] == Approx(0.2));
-  best = best_of({known(2, 0.1), known(3, 0.25)}, 1, h, 0);
+  CHECK(*best.rows[0][0].errors[0] == Approx(0.15));
+  best = best_of({known(2, 0.1), known(3, 0.15)}, 1, h, 0);
   CHECK(best.rows[0][0].K1 == 3);
   // unless the later one knows much less
-  best = best_of({known(2, 0.1), known(3, 0.4)}, 1, h, 0);
+  best = best_of({known(2, 0.1), known(3, 0.25)}, 1, h, 0);
   CHECK(best.rows[0][0].K1 == 2);
   CHECK(*best.error == Approx(0.05));
   CHECK_FALSE(best_of({{}, {}}, 1, h, 0).error.has_value());
