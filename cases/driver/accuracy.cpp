@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "cases/driver/case_plan.hpp"
 #include "cases/driver/prepared.hpp"
+#include "cases/runs/load_cases_run.hpp"
+#include "cases/runs/results.hpp"
+#include "cases/runs/run_once.hpp"
+#include "fracture/growth/distributed_growth.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/analysis.hpp"
@@ -12,6 +17,7 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/result_checks.hpp"
+#include "post/files/results_in_memory.hpp"
 #include "post/report/accuracy_search.hpp"
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
@@ -127,6 +133,66 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   if (plate->motion) truncated = plate->motion->truncated();
   result.rows = post::rows_of(std::move(found), truncated, options, file.content.section.thickness);
   return result;
+}
+
+namespace {
+
+/// Warns of tips at which no method has room at twice the spacing.
+void warn_of_small_room(const std::vector<bool>& works, double spacing, std::vector<std::string>& warnings) {
+  for (std::size_t tip = 0; tip < works.size(); ++tip)
+    if (!works[tip])
+      warnings.push_back(
+          fmt::format("tip {}: srif.richardson gives no error, because no method has room at twice the spacing; set "
+                      "discretization.spacing = {:.2g}",
+                      tip, spacing / 2));
+}
+
+/// The factors of every load case and combination.
+std::vector<std::vector<post::Srif>> factors_of(const post::Summary& summary) {
+  std::vector<std::vector<post::Srif>> rows;
+  for (const auto& one : summary.load_cases) rows.push_back(one.srif);
+  return rows;
+}
+
+}  // namespace
+
+std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const RunOptions& options,
+                                                     std::vector<std::string>& warnings) {
+  CaseFile coarse = file;
+  Case& c = coarse.content;
+  c.discretization.spacing *= 2, c.srif->richardson = c.srif->second_formulation = false;
+  c.output.vtk = c.output.hdf5 = false, c.output.probes.clear();
+  std::vector<std::vector<post::Srif>> rows;
+  std::vector<bool> works;
+  if (!c.load_cases.empty()) {
+    post::ResultsInMemory unused;
+    const Prepared prepared(std::move(coarse), *options.communicator);
+    try {
+      rows = factors_of_run(prepared, {{}, true, &unused, false, options.communicator});
+    } catch (const plate::NumericalError& error) {
+      throw plate::NumericalError(fmt::format("with twice the spacing: {}", error.what()));
+    }
+    for (const auto& tip : prepared.tip_methods) works.push_back(tip.works());
+  } else {
+    const auto found = discretised(coarse, *options.communicator);
+    const auto methods = tip_methods(coarse, *found.plate);
+    rows.push_back(fracture::of_all(
+        *found.plate, factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
+    for (const auto& tip : methods) works.push_back(tip.works());
+  }
+  for (const auto& row : rows) post::require_finite(row, "with twice the spacing");
+  warn_of_small_room(works, file.content.discretization.spacing, warnings);
+  return rows;
+}
+
+std::vector<std::vector<post::Srif>> factors_of_run(const Prepared& prepared, const RunOptions& options) {
+  const auto& content = prepared.file.content;
+  plate::Stopwatch stopwatch = prepared.stopwatch;
+  Outputs outputs(plan_of(content, options), recording_of(content, options).recorder, stopwatch);
+  if (!content.load_cases.empty()) return factors_of(run_load_cases(prepared, outputs));
+  Results results(outputs, *prepared.plate, prepared.tip_methods);
+  run_once(prepared, results);
+  return results.factors().rows();
 }
 
 }  // namespace cases

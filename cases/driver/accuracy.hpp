@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "cases/runs/run_plan.hpp"
@@ -14,6 +15,7 @@ namespace cases {
 
 struct CaseFile;
 struct Prepared;
+struct RunOptions;
 
 /// The factors of a plate in equilibrium, and the equilibrium. `when` it is sought, for what is thrown where it is not
 /// found: NumericalError.
@@ -38,5 +40,14 @@ struct Accurate {
 /// Refines until every factor of the case, static or in motion, is known to srif.accuracy, or time, memory or sizes
 /// end it. Throws CaseError and plate::NumericalError.
 Accurate to_accuracy(const CaseFile& file, bool quiet);
+
+/// Computes the intensity factors of a case at rest with twice the spacing, by the processes of its run: one row, or a
+/// row for each of its load cases and combinations. Warns of tips at which no method has room then. Throws CaseError or
+/// plate::NumericalError.
+std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const RunOptions& options,
+                                                     std::vector<std::string>& warnings);
+
+/// Runs a case in its folder and returns the intensity factors of all rows, or of all load cases and combinations.
+std::vector<std::vector<post::Srif>> factors_of_run(const Prepared& prepared, const RunOptions& options);
 
 }  // namespace cases

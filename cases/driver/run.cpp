@@ -7,7 +7,6 @@
 #include "cases/driver/case_plan.hpp"
 #include "cases/driver/fatigue.hpp"
 #include "cases/driver/neighbouring_cracks.hpp"
-#include "cases/driver/other_factors.hpp"
 #include "cases/driver/prepared.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/runs/distributed_run.hpp"
@@ -29,25 +28,15 @@
 namespace cases {
 namespace {
 
-/// One plate of a run, with all that the run finds of it. Stays where it is made.
-struct PlateRun {
-  PlateRun(const Prepared& prepared, const RunOptions& options, post::Recorder recorder)
-      : stopwatch(prepared.stopwatch),
-        outputs(plan_of(prepared.file.content, options), std::move(recorder), stopwatch),
-        results(outputs, *prepared.plate, prepared.tip_methods) {}
-
-  plate::Stopwatch stopwatch;
-  Outputs outputs;
-  Results results;
-};
-
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   auto [plate, found, rows] = to_accuracy(file, options.quiet);
-  PlateRun run(*plate, options, recording_of(plate->file.content, options).recorder);
-  run.results.factors().known(std::move(rows));
-  run.results.found(std::move(found));
-  run.stopwatch.lap("output");
-  return run_once(*plate, run.results);
+  const auto& content = plate->file.content;
+  Outputs outputs(plan_of(content, options), recording_of(content, options).recorder, plate->stopwatch);
+  Results results(outputs, *plate->plate, plate->tip_methods);
+  results.factors().known(std::move(rows));
+  results.found(std::move(found));
+  plate->stopwatch.lap("output");
+  return run_once(*plate, results);
 }
 
 /// The plate as it has grown quasi-statically, a hundredth above the load that is there, and what it does then.
