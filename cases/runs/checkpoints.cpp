@@ -102,8 +102,8 @@ void put_values(const plate::Boundary& boundary, const std::vector<std::filesyst
     width = post::read_cells(path, box_of(boundary, points), [&](const geometry::Cell& cell, auto values) {
       const auto k = points_by_cells.at(cell);
       if (!k) return;
-      for (std::size_t i = 0; i < std::min(plate::unknowns_per_point * states.size(), values.size()); ++i)
-        (*states[plate::point_of(i)].state)(Eigen::Index(plate::component_of(i)), Eigen::Index(*k)) = values[i];
+      for (std::size_t s = 0, i = 0; s < states.size() && i < values.size(); ++s)
+        for (auto& value : states[s].state->col(*k)) value = values[i++];
       ++found;
     });
   if (found != points.size()) throw std::runtime_error("the checkpoint does not have all points of the plate");

@@ -20,8 +20,7 @@ using geometry::Cell;
 class Overlap {
 public:
   Overlap(const PartOfLattice& part, const Boundary& boundary) : part_(part), boundary_(boundary) {
-    for (const auto& tie : boundary.constraints.ties())
-      leaders_.emplace_back(point_of(tie.follower), point_of(tie.leader));
+    for (const auto& tie : boundary.constraints.ties()) leaders_.emplace_back(tie.follower.point, tie.leader.point);
     std::sort(leaders_.begin(), leaders_.end());
     leaders_.erase(std::unique(leaders_.begin(), leaders_.end()), leaders_.end());
   }
@@ -73,8 +72,8 @@ private:
   void include_elastic_supports(std::vector<char>& seen, const geometry::Families& families) const {
     std::vector<std::uint32_t> tied;
     for (const auto& one : boundary_.elastic_supports.parts())
-      one->for_each([&](std::uint32_t row, std::uint32_t column, double) {
-        const auto k = point_of(row), j = point_of(column);
+      one->for_each([&](const Dof& row, const Dof& column, double) {
+        const auto k = row.point, j = column.point;
         if (k != j && seen[k] && families[k].find(j) == families[k].size()) tied.push_back(j);
       });
     for (const auto k : tied) {
@@ -112,8 +111,8 @@ void own_fictitious(const PartOfLattice& part, const Overlap& seen, Boundary& bo
   for (std::uint32_t k = boundary.cloud.plate_points; k < boundary.cloud.size(); ++k)
     boundary.map.owned[k] = part.partition.nearest_owner(seen.cell(k)) == self;
   for (const auto& tie : boundary.constraints.ties())
-    if (const auto k = point_of(tie.follower); !boundary.is_plate(k) && is_deflection(tie.follower))
-      boundary.map.owned[k] = boundary.map.owned[point_of(tie.leader)];
+    if (const auto k = tie.follower.point; !boundary.is_plate(k) && is_deflection(tie.follower))
+      boundary.map.owned[k] = boundary.map.owned[tie.leader.point];
 }
 
 }  // namespace

@@ -277,7 +277,7 @@ public:
 
   void solve(const Forces& force, State& u) const override {
     const Eigen::MatrixXd solution = factor_->solve(plate::gathered(unknowns_, force));
-    u.setZero(unknowns_per_point, force.cols());
+    u.setZero(force.rows(), force.cols());
     for (Eigen::Index i = 0; i < solution.rows(); ++i) at_dof(u, unknowns_.dof[std::size_t(i)]) = solution(i, 0);
   }
   std::size_t bytes() const override { return factor_->bytes(); }
@@ -304,9 +304,9 @@ public:
     for (const auto i : own_)
       for (Eigen::Index c = 0; c < unknowns_per_point; ++c) values.push_back(force(c, Eigen::Index(i)));
     inverse_->apply(values);
-    u.setZero(unknowns_per_point, force.cols());
+    u.setZero(force.rows(), force.cols());
     for (std::size_t n = 0; n < own_.size(); ++n)
-      for (Eigen::Index c = 0; c < unknowns_per_point; ++c) u(c, Eigen::Index(own_[n])) = values[dof(n, c)];
+      for (Eigen::Index c = 0; c < unknowns_per_point; ++c) u(c, Eigen::Index(own_[n])) = values[index_by_points(n, c)];
     fetch(u);
   }
   std::size_t bytes() const override { return 0; }  // the libraries behind it do not say

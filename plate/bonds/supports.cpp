@@ -58,10 +58,10 @@ private:
   }
   std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
   /// Constrains a degree of freedom that a side holds: tie() to those that it follows, fix() to none.
-  void tie(std::uint32_t dof, const Side& side, const SupportOffsets::Leaders& leaders) {
+  void tie(const Dof& dof, const Side& side, const SupportOffsets::Leaders& leaders) {
     b_.constraints.tie(dof, leaders, moved_.of(dof, side, leaders));
   }
-  void fix(std::uint32_t dof, const Side& side) { b_.constraints.fix(dof, moved_.of(dof, side, {})); }
+  void fix(const Dof& dof, const Side& side) { b_.constraints.fix(dof, moved_.of(dof, side, {})); }
   void tie_image(std::uint32_t leader, const std::array<double, unknowns_per_point>& factors, const Side& side) {
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), factors[c]}});
   }

@@ -129,8 +129,7 @@ std::vector<char> near_cracks(const Boundary& boundary, const std::vector<geomet
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < near.size(); ++k) near[k] = close(boundary.lattice[k]);
   for (const auto& tie : boundary.constraints.ties())
-    if (point_of(tie.follower) >= boundary.cloud.plate_points && near[point_of(tie.leader)])
-      near[point_of(tie.follower)] = 1;
+    if (tie.follower.point >= boundary.cloud.plate_points && near[tie.leader.point]) near[tie.follower.point] = 1;
   return near;
 }
 

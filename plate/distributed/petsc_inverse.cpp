@@ -77,11 +77,11 @@ private:
         const double* block = &rows.block[entries_per_block * b];
         require(MatSetValuesBlocked(matrix_, 1, &row, 1, &column, block, ADD_VALUES));
         for (std::size_t c = 0; column == row && c < unknowns_per_point; ++c)
-          if (block[(unknowns_per_point + 1) * c] > 0) without_stiffness_[dof(k, c)] = false;
+          if (block[(unknowns_per_point + 1) * c] > 0) without_stiffness_[index_by_points(k, c)] = false;
       }
       std::array<double, 9> rest{};
       for (std::size_t c = 0; c < unknowns_per_point; ++c)
-        rest[(unknowns_per_point + 1) * c] = without_stiffness_[dof(k, c)] ? 1 : 0;
+        rest[(unknowns_per_point + 1) * c] = without_stiffness_[index_by_points(k, c)] ? 1 : 0;
       require(MatSetValuesBlocked(matrix_, 1, &row, 1, &row, rest.data(), ADD_VALUES));
     }
     require(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
@@ -132,7 +132,7 @@ private:
         const double x = rows.position[2 * k], y = rows.position[2 * k + 1];
         const double of_point[3][unknowns_per_point] = {{1, 0, 0}, {x, 0, -1}, {y, 1, 0}};
         for (std::size_t c = 0; c < unknowns_per_point; ++c)
-          entries[dof(k, c)] = without_stiffness_[dof(k, c)] ? 0 : of_point[motion][c];
+          entries[index_by_points(k, c)] = without_stiffness_[index_by_points(k, c)] ? 0 : of_point[motion][c];
       }
       require(VecRestoreArrayWrite(motions[motion], &entries));
       for (int before = 0; before < motion; ++before) {

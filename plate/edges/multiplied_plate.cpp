@@ -38,7 +38,8 @@ int other_face(const LatticeBody& b, int s) {
 /// (Sca21, remark 4).
 bool implied(const LatticeBody& b, const std::vector<char>& held, int s, int component) {
   const int other = b.surface[std::size_t(s)].axis == 1 ? other_face(b, s) : -1;
-  return other >= 0 && held[std::size_t(dof(s, component))] && held[std::size_t(dof(other, component))];
+  return other >= 0 && held[std::size_t(index_by_points(s, component))] &&
+         held[std::size_t(index_by_points(other, component))];
 }
 
 void add(const RowMatrix& from, Eigen::Index of, int row, Triplets& to) {
@@ -72,7 +73,7 @@ MultipliedPlate multiplied_plate(const SurfacePlate& p, const std::vector<char>&
     const int value = real + i, multiplier = value + surface;
     const bool holds = held[std::size_t(i)];
     add(assigned, value, value, entries);
-    if (implied(p.body, held, point_of(i), component_of(i))) {
+    if (implied(p.body, held, int(dof_by_points(i).point), int(dof_by_points(i).component))) {
       result.idle.push_back(multiplier);
       continue;
     }
@@ -92,7 +93,8 @@ double added_forces(const SparseStiffness& stiffness, const SurfacePlate& p, con
   multipliers.head(values.size() - surface).setZero();
   const Eigen::VectorXd added = stiffness * multipliers;
   double sum = 0;
-  for (int k = 0; k < p.body.real; ++k) sum += std::abs(added[dof(k, 0)]) + added.segment<2>(dof(k, 1)).norm() / arm;
+  for (int k = 0; k < p.body.real; ++k)
+    sum += std::abs(added[index_by_points(k, 0)]) + added.segment<2>(index_by_points(k, 1)).norm() / arm;
   return sum;
 }
 

@@ -166,9 +166,10 @@ WeightRows oblique_expansion(const LatticeBody& b, const ObliqueEdges& edges) {
         const EdgeFit& f = (unknown == 0 ? edges.deflection : edges.rotation)[std::size_t(s)];
         const Eigen::VectorXd weights =
             share * f.terms.transpose() * monomials_at(place(b, k) - edges.nodes[std::size_t(s)].at, order);
-        entries.emplace_back(dof(k, unknown), dof(b.real + s, unknown), share);
+        entries.emplace_back(index_by_points(k, unknown), index_by_points(b.real + s, unknown), share);
         for (std::size_t i = 0; i < f.nodes.size(); ++i)
-          entries.emplace_back(dof(k, unknown), dof(f.nodes[i], unknown), weights[Eigen::Index(i)]);
+          entries.emplace_back(index_by_points(k, unknown), index_by_points(f.nodes[i], unknown),
+                               weights[Eigen::Index(i)]);
       }
   }
   WeightRows rows(unknowns_per_point * b.values(), unknowns_per_point * (b.real + Eigen::Index(edges.nodes.size())));

@@ -20,23 +20,23 @@ public:
   /// Adds factor times the force f of the bond from node k to node j, or a sight of them, to a row.
   void add_force(int row, int k, int j, const ActingBond& bond, double factor) {
     const double f = factor * bond.shear, half = bond.length / 2, m[] = {bond.mx, bond.my};
-    values_.emplace_back(row, dof(j, 0), f);
-    values_.emplace_back(row, dof(k, 0), -f);
+    values_.emplace_back(row, index_by_points(j, 0), f);
+    values_.emplace_back(row, index_by_points(k, 0), -f);
     for (int b = 0; b < 2; ++b)
-      for (const int end : {k, j}) values_.emplace_back(row, dof(end, 1 + b), -f * half * m[b]);
+      for (const int end : {k, j}) values_.emplace_back(row, index_by_points(end, 1 + b), -f * half * m[b]);
   }
 
   /// Adds `share` times the force f and the couples m (c - lever f) of that bond to the rows of a node (theory (5)).
   void add(int node, int k, int j, const ActingBond& bond, double share, const std::array<double, 2>& lever) {
     const double m[] = {bond.mx, bond.my};
-    add_force(dof(node, 0), k, j, bond, share);
+    add_force(index_by_points(node, 0), k, j, bond, share);
     for (int a = 0; a < 2; ++a) {
-      const int row = dof(node, 1 + a);
+      const int row = index_by_points(node, 1 + a);
       add_force(row, k, j, bond, share * m[a] * (bond.length / 2 - lever[std::size_t(a)]));
       for (int b = 0; b < 2; ++b) {
         const double bend = share * bond.curvature * m[a] * m[b];
-        values_.emplace_back(row, dof(j, 1 + b), bend);
-        values_.emplace_back(row, dof(k, 1 + b), -bend);
+        values_.emplace_back(row, index_by_points(j, 1 + b), bend);
+        values_.emplace_back(row, index_by_points(k, 1 + b), -bend);
       }
       dilatation_.emplace_back(row, k, share * bond.own_couple * m[a]);
       dilatation_.emplace_back(row, j, share * bond.other_couple * m[a]);
@@ -104,7 +104,7 @@ void add_shear_of_strip(const LatticeBody& b, int s, const LatticeBonds& family,
     const int outer = b.node(b.nodes[std::size_t(face.inner)] + family.bonds[i].away);
     const ActingBond bond = acting(family, cuts, face.inner, outer, i);
     const double m = rotation == 1 ? bond.mx : bond.my;
-    rows.add_force(dof(b.real + s, rotation), face.inner, b.value(outer, face.axis), bond,
+    rows.add_force(index_by_points(b.real + s, rotation), face.inner, b.value(outer, face.axis), bond,
                    -strip(b, s) * m * bond.length / 2);
   }
 }
@@ -137,8 +137,8 @@ PlateActions actions(const LatticeBody& b, const LatticeBonds& family, FluxRule 
         for (const auto& [value, share] : seen(b, k, j)) {
           const double by[] = {share * bond.D * bond.mx, share * bond.D * bond.my};
           for (int c = 0; c < 2; ++c) {
-            dilatation.emplace_back(k, dof(value, 1 + c), by[c]);
-            dilatation.emplace_back(k, dof(k, 1 + c), -by[c]);
+            dilatation.emplace_back(k, index_by_points(value, 1 + c), by[c]);
+            dilatation.emplace_back(k, index_by_points(k, 1 + c), -by[c]);
           }
           rows.add(k, k, value, bond, -share, {0, 0});
         }
@@ -170,8 +170,8 @@ PlateActions edge_actions(const LatticeBody& b, const LatticeBonds& family, cons
         const geometry::Point at = b.position(k).head<2>();
         const geometry::Point lever = family.spacing * (at - edges.nodes[std::size_t(s)].at);  // theory (25)
         rows.add(s, k, j, bond, share, {0, 0});
-        rows.add_force(dof(s, 1), k, j, bond, share * lever.y());
-        rows.add_force(dof(s, 2), k, j, bond, -share * lever.x());
+        rows.add_force(index_by_points(s, 1), k, j, bond, share * lever.y());
+        rows.add_force(index_by_points(s, 2), k, j, bond, -share * lever.x());
       }
     }
   const Eigen::Index count = unknowns_per_point * Eigen::Index(edges.nodes.size()), nodes = b.values();
@@ -215,14 +215,16 @@ void add_section_forces(int s, const EdgeNode& node, const EdgeFit& deflection, 
     return Point(fit.terms.col(Eigen::Index(i)).head<2>() / spacing);
   };
   for (std::size_t i = 0; i < deflection.nodes.size(); ++i)
-    to.emplace_back(dof(s, 0), dof(deflection.nodes[i], 0), length * law.shear_of_deflection(gradient(deflection, i)));
+    to.emplace_back(index_by_points(s, 0), index_by_points(deflection.nodes[i], 0),
+                    length * law.shear_of_deflection(gradient(deflection, i)));
   for (int c = 0; c < 2; ++c) {
     const Point& psi = psi_of_theta[std::size_t(c)];
-    to.emplace_back(dof(s, 0), dof(own, 1 + c), length * law.shear_of_rotation(psi));
+    to.emplace_back(index_by_points(s, 0), index_by_points(own, 1 + c), length * law.shear_of_rotation(psi));
     for (std::size_t i = 0; i < rotation.nodes.size(); ++i) {
       const auto moments = law.moments(psi, gradient(rotation, i));
       const Point couple = length * (moments[0] * directions[0] + moments[1] * directions[1]);
-      for (int row = 0; row < 2; ++row) to.emplace_back(dof(s, 1 + row), dof(rotation.nodes[i], 1 + c), couple[row]);
+      for (int row = 0; row < 2; ++row)
+        to.emplace_back(index_by_points(s, 1 + row), index_by_points(rotation.nodes[i], 1 + c), couple[row]);
     }
   }
 }
@@ -241,9 +243,9 @@ void add_turning_rows(const StiffnessRows& forces, int s, int k, const EdgeNode&
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 2; ++c)
         if (held[i + 1])
-          to.emplace_back(dof(k, 1 + r), dof(k, 1 + c), D * along[r] * along[c]);
+          to.emplace_back(index_by_points(k, 1 + r), index_by_points(k, 1 + c), D * along[r] * along[c]);
         else
-          add_row(forces, dof(s, 1 + c), along[r] * along[c], dof(k, 1 + r), to);
+          add_row(forces, index_by_points(s, 1 + c), along[r] * along[c], index_by_points(k, 1 + r), to);
   }
 }
 
@@ -266,19 +268,20 @@ void add_left_over(const StiffnessRows& beyond, const StiffnessRows& forces, con
                    const std::vector<PrescribedOfNode>& held, int real, double spacing, Triplets& to) {
   for (std::size_t s = 0; s < held.size(); ++s) {
     const auto move = [&](int component, int target, double factor) {
-      add_row(beyond, dof(int(s), component), factor, target, to);
-      add_row(forces, dof(int(s), component), -factor, target, to);
+      add_row(beyond, index_by_points(int(s), component), factor, target, to);
+      add_row(forces, index_by_points(int(s), component), -factor, target, to);
     };
     if (const int at = held[s][0] ? -1 : nearest_held(edges, held, s, false); at >= 0) {
       const int node = real + at;
-      move(0, dof(node, 0), 1);
+      move(0, index_by_points(node, 0), 1);
       const auto& of_node = held[std::size_t(at)];
       const Point lever = spacing * (edges.nodes[s].at - edges.nodes[std::size_t(at)].at);  // theory (25)
-      if (of_node[1] && of_node[2]) move(0, dof(node, 1), lever.y()), move(0, dof(node, 2), -lever.x());
+      if (of_node[1] && of_node[2])
+        move(0, index_by_points(node, 1), lever.y()), move(0, index_by_points(node, 2), -lever.x());
     }
     const bool clamped = held[s][1] && held[s][2];
     if (const int at = clamped ? -1 : nearest_held(edges, held, s, true); at >= 0)
-      for (const int c : {1, 2}) move(c, dof(real + at, c), 1);
+      for (const int c : {1, 2}) move(c, index_by_points(real + at, c), 1);
   }
 }
 
@@ -336,10 +339,10 @@ SparseStiffness oblique_stiffness(const LatticeBody& b, const LatticeBonds& bond
   for (int s = 0; s < int(held.size()); ++s) {
     const auto& of_node = held[std::size_t(s)];
     const int node = b.real + s;
-    add_row(of_node[0] ? beyond : forces, dof(s, 0), 1, dof(node, 0), entries);
+    add_row(of_node[0] ? beyond : forces, index_by_points(s, 0), 1, index_by_points(node, 0), entries);
     if (of_node[1] && of_node[2]) {
-      add_row(beyond, dof(s, 1), 1, dof(node, 1), entries);
-      add_row(beyond, dof(s, 2), 1, dof(node, 2), entries);
+      add_row(beyond, index_by_points(s, 1), 1, index_by_points(node, 1), entries);
+      add_row(beyond, index_by_points(s, 2), 1, index_by_points(node, 2), entries);
     } else {
       add_turning_rows(forces, s, node, edges.nodes[std::size_t(s)], of_node, section.bending_stiffness(), entries);
     }

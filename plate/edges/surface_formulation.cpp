@@ -48,7 +48,7 @@ private:
                                    std::vector<Eigen::Index>& free) {
     std::vector<int> place(std::size_t(K.cols()), -1);
     for (Eigen::Index i = 0; i < K.cols(); ++i)
-      if (!constraints.held(std::uint32_t(i))) place[std::size_t(i)] = int(free.size()), free.push_back(i);
+      if (!constraints.held(dof_by_points(i))) place[std::size_t(i)] = int(free.size()), free.push_back(i);
     std::vector<Eigen::Triplet<double>> entries;
     for (const Eigen::Index j : free)
       for (SparseStiffness::InnerIterator e(K, j); e; ++e)

@@ -238,15 +238,15 @@ SparseStiffness stiffness_of(const SurfacePlate& plate, EdgeMethod method, Bound
   }
   if (method == EdgeMethod::surface_nodes) {
     b.constraints.resolve();
-    return stiffness_with_reactions(plate, [&](int unknown) { return b.constraints.held(std::uint32_t(unknown)); });
+    return stiffness_with_reactions(plate, [&](int unknown) { return b.constraints.held(dof_by_points(unknown)); });
   }
   Constraints conditions = b.constraints;
   conditions.resolve();
   std::vector<char> held;
   for (int i = unknowns_per_point * plate.body.real; i < plate.unknowns(); ++i)
-    held.push_back(conditions.held(std::uint32_t(i)));
+    held.push_back(conditions.held(dof_by_points(i)));
   auto [stiffness, idle] = multiplied_plate(plate, held);
-  for (const int one : idle) b.constraints.fix(std::uint32_t(one));
+  for (const int one : idle) b.constraints.fix(dof_by_points(one));
   b.constraints.resolve();
   return stiffness;
 }
@@ -278,7 +278,7 @@ void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, con
   std::vector<int> held;
   double around = 0;
   for (int s = 0; s < plate.surfaces(); ++s)
-    if (b.constraints.held(std::uint32_t(dof(plate.body.real + s, 0)))) held.push_back(s), around += plate.length(s);
+    if (b.constraints.held(dof(plate.body.real + s, 0))) held.push_back(s), around += plate.length(s);
   const double rest = geometry::area(outline) - plate.body.real * std::pow(plate.bonds.spacing, 2);
   for (const int s : held) forces(0, plate.body.real + s) += pressure * rest * plate.length(s) / around;
 }

@@ -46,15 +46,15 @@ void add_oblique(const SurfacePlate& p, int s, const EdgeCondition& c, EdgeProbl
   const PointValues given(c.value[0], c.value[1], c.value[2]), value = rotated(given, normal);
   const bool both = c.held[1] && c.held[2];
   if (c.held[0])
-    to.held.push_back({dof(node, 0), value[0]});
+    to.held.push_back({index_by_points(node, 0), value[0]});
   else
-    to.right[dof(node, 0)] = p.length(s) * c.value[0];
+    to.right[index_by_points(node, 0)] = p.length(s) * c.value[0];
   const auto directions = turning_directions(normal);
   for (int i = 0; i < 2; ++i) {
-    if (both) to.held.push_back({dof(node, 1 + i), value[1 + i]});
+    if (both) to.held.push_back({index_by_points(node, 1 + i), value[1 + i]});
     const auto k = std::size_t(i);
     if (!both)
-      to.right.segment<2>(dof(node, 1)) +=
+      to.right.segment<2>(index_by_points(node, 1)) +=
           directions[k] *
           (c.held[k + 1] ? -p.oblique->section.bending_stiffness() * c.value[k + 1] : p.length(s) * c.value[k + 1]);
   }
@@ -141,7 +141,7 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
   const double spacing = p.bonds.spacing;
   EdgeProblem result{Eigen::VectorXd::Zero(p.unknowns()), {}};
   for (int k = 0; k < p.body.real; ++k)
-    result.right.segment<unknowns_per_point>(dof(k, 0)) = spacing * spacing * load(p.at(k));
+    result.right.segment<unknowns_per_point>(index_by_points(k, 0)) = spacing * spacing * load(p.at(k));
   for (int s = 0; s < p.surfaces(); ++s) {
     if (p.oblique) {
       add_oblique(p, s, edges(p.at_surface(s), p.normal(s)), result);
@@ -158,7 +158,7 @@ EdgeProblem edge_problem(const SurfacePlate& p, const EdgeConditions& edges, con
     on_strip += on_strip[0] * PointValues(0, lever.y(), -lever.x());
     const int components[] = {0, normal_rotation(axis), tangential_rotation(axis)};
     for (std::size_t i = 0; i < unknowns_per_point; ++i) {
-      const int unknown = dof(node, components[i]);
+      const int unknown = index_by_points(node, components[i]);
       if (c.held[i])
         result.held.push_back({unknown, value[components[i]]});
       else
@@ -205,7 +205,7 @@ End end_of_free_faces(const SurfacePlate& p, const std::function<bool(int)>& hel
   for (int away = 1;; ++away) {
     const auto [next, in_line] = next_face(p.body, s, towards);
     if (next < 0) return {-1, away};
-    if (held(dof(p.body.real + next, component))) return {next, away};
+    if (held(index_by_points(p.body.real + next, component))) return {next, away};
     if (!in_line) return {-1, away};
     s = next;
   }
@@ -223,7 +223,7 @@ StiffnessRows rows_with_reactions(const SurfacePlate& p, const StiffnessRows& ow
   for (int row = 0; row < int(own.rows()); ++row) copy_row(held(row) ? crossed : own, row, 1, row, entries);
   for (int s = 0; s < int(p.body.surface.size()); ++s)
     for (int component = 0; component < unknowns_per_point; ++component) {
-      const int row = dof(p.body.real + s, component);
+      const int row = index_by_points(p.body.real + s, component);
       if (held(row)) continue;
       const std::array<End, 2> ends{end_of_free_faces(p, held, s, component, -1),
                                     end_of_free_faces(p, held, s, component, 1)};
@@ -237,9 +237,9 @@ StiffnessRows rows_with_reactions(const SurfacePlate& p, const StiffnessRows& ow
                                                              component == 0 ? lever.y() : component == 1,
                                                              component == 0 ? -lever.x() : component == 2};
         for (int c = 0; c < unknowns_per_point; ++c)
-          if (factors[std::size_t(c)] != 0 && held(dof(to, c))) {
-            copy_row(crossed, row, share * factors[std::size_t(c)], dof(to, c), entries);
-            copy_row(own, row, -share * factors[std::size_t(c)], dof(to, c), entries);
+          if (factors[std::size_t(c)] != 0 && held(index_by_points(to, c))) {
+            copy_row(crossed, row, share * factors[std::size_t(c)], index_by_points(to, c), entries);
+            copy_row(own, row, -share * factors[std::size_t(c)], index_by_points(to, c), entries);
           }
       }
     }

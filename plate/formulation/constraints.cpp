@@ -11,30 +11,30 @@
 namespace plate {
 namespace {
 
-using Wanted = std::unordered_map<std::uint32_t, std::vector<Constraints::Leader>>;
-using Offsets = std::unordered_map<std::uint32_t, std::vector<Constraints::Offset>>;
+using Wanted = std::unordered_map<Dof, std::vector<Constraints::Leader>>;
+using Offsets = std::unordered_map<Dof, std::vector<Constraints::Offset>>;
 
 /// Expansion of a degree of freedom in free ones and in motions of supports.
 struct Expanded {
-  std::map<std::uint32_t, double> free;
+  std::map<Dof, double> free;
   std::map<std::size_t, double> motions;
 };
 
 /// Prescribed constraints of all held degrees of freedom.
 struct Rules {
   const Wanted& wanted;
-  const std::unordered_set<std::uint32_t>& fixed;
+  const std::unordered_set<Dof>& fixed;
   const Offsets &of_fixed, &of_ties;
 };
 
-void add(const Offsets& offsets, std::uint32_t dof, double factor, Expanded& sum) {
+void add(const Offsets& offsets, const Dof& dof, double factor, Expanded& sum) {
   if (const auto entry = offsets.find(dof); entry != offsets.end())
     for (const auto& [motion, value] : entry->second) sum.motions[motion] += factor * value;
 }
 
 /// Adds factor * u[dof] to `sum`, in terms of free degrees of freedom. A chain longer than any sound one is a ring: it
 /// holds at zero what it ties.
-void expand(std::uint32_t dof, double factor, const Rules& rules, Expanded& sum, int depth) {
+void expand(const Dof& dof, double factor, const Rules& rules, Expanded& sum, int depth) {
   constexpr int longest_chain = 16;
   if (factor == 0 || depth > longest_chain) return;
   if (rules.fixed.contains(dof)) return add(rules.of_fixed, dof, factor, sum);
@@ -49,21 +49,21 @@ void expand(std::uint32_t dof, double factor, const Rules& rules, Expanded& sum,
 
 }  // namespace
 
-void Constraints::fix(std::uint32_t dof, std::vector<Offset> offsets) {
+void Constraints::fix(const Dof& dof, std::vector<Offset> offsets) {
   fixed_.push_back(dof);
   if (!offsets.empty()) of_fixed_.try_emplace(dof, std::move(offsets));
 }
 
-void Constraints::tie(std::uint32_t follower, std::vector<Leader> leaders, std::vector<Offset> offsets) {
+void Constraints::tie(const Dof& follower, std::vector<Leader> leaders, std::vector<Offset> offsets) {
   if (wanted_.try_emplace(follower, std::move(leaders)).second && !offsets.empty())
     of_ties_.try_emplace(follower, std::move(offsets));
 }
 
 void Constraints::resolve() {
-  std::unordered_set<std::uint32_t> fixed(fixed_.begin(), fixed_.end());
-  std::vector<std::uint32_t> zero;
+  std::unordered_set<Dof> fixed(fixed_.begin(), fixed_.end());
+  std::vector<Dof> zero;
   const Rules rules{wanted_, fixed, of_fixed_, of_ties_};
-  const auto moved = [&](std::uint32_t dof, const Expanded& sum) {
+  const auto moved = [&](const Dof& dof, const Expanded& sum) {
     for (const auto& [motion, value] : sum.motions)
       if (value != 0) lifts_[motion].push_back({dof, value});
   };
@@ -92,12 +92,11 @@ void Constraints::resolve() {
   for (const Tie& tie : ties_) held_.push_back(tie.follower);
   std::sort(held_.begin(), held_.end());
   held_.erase(std::unique(held_.begin(), held_.end()), held_.end());
-  zero_.clear();
-  for (const auto dof : fixed_) zero_.push_back({component_of(dof), point_of(dof)});
+  zero_ = fixed_;
   followers_ = sums(ties_, false), leaders_ = sums(ties_, true);
 }
 
-void Constraints::tie_more(std::vector<std::pair<std::uint32_t, std::vector<Leader>>> ties) {
+void Constraints::tie_more(std::vector<std::pair<Dof, std::vector<Leader>>> ties) {
   for (const Tie& old : ties_) wanted_[old.follower].push_back({old.leader, old.factor});
   ties_.clear();
   for (auto& [follower, leaders] : ties) tie(follower, std::move(leaders));
@@ -112,10 +111,10 @@ Constraints::Sums Constraints::sums(const std::vector<Tie>& ties, bool by_leader
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const auto to = target(sorted[i]), from = by_leader ? sorted[i].follower : sorted[i].leader;
     if (i == 0 || to != target(sorted[i - 1])) {
-      result.target.push_back({component_of(to), point_of(to)});
+      result.target.push_back(to);
       result.first.push_back(i);
     }
-    result.shares.push_back({{component_of(from), point_of(from)}, sorted[i].factor});
+    result.shares.push_back({from, sorted[i].factor});
     result.first.back() = i + 1;
   }
   return result;
@@ -125,11 +124,11 @@ State Constraints::lift(std::size_t motion, std::size_t points) const {
   const auto found = lifts_.find(motion);
   if (found == lifts_.end()) return no_state();
   State result = zero_state(points);
-  for (const auto& [dof, value] : found->second) result(component_of(dof), point_of(dof)) = value;
+  for (const auto& [dof, value] : found->second) at_dof(result, dof) = value;
   return result;
 }
 
-bool Constraints::held(std::uint32_t dof) const {
+bool Constraints::held(const Dof& dof) const {
   return std::binary_search(held_.begin(), held_.end(), dof);
 }
 
@@ -144,7 +143,7 @@ void for_each_sum(const Sums& sums, const Values<Real>& values, const Weight& we
     Real sum = 0;
     for (std::size_t i = sums.first[t]; i < sums.first[t + 1]; ++i) {
       const auto& share = sums.shares[i];
-      sum += Real(weight(share.factor)) * values(share.from.component, share.from.point);
+      sum += Real(weight(share.factor)) * at_dof(values, share.from);
     }
     visit(sums.target[t], sum);
   }
@@ -164,16 +163,16 @@ void Constraints::share(const Communicator& communicator, std::vector<std::uint3
                         std::shared_ptr<const HaloExchange> exchange) {
   communicator_ = &communicator, copies_ = std::move(ghosts), exchange_ = std::move(exchange);
   const std::unordered_set<std::uint32_t> copied(copies_.begin(), copies_.end());
-  std::erase_if(zero_, [&](const Place& place) {
-    const bool pending = copied.contains(place.point);
-    if (pending) pending_zero_.push_back(place);
+  std::erase_if(zero_, [&](const Dof& dof) {
+    const bool pending = copied.contains(dof.point);
+    if (pending) pending_zero_.push_back(dof);
     return pending;
   });
   std::vector<Tie> own, pending;
   for (std::size_t i = 0, end = 0; i < ties_.size(); i = end) {
-    bool waits = copied.contains(point_of(ties_[i].follower));
+    bool waits = copied.contains(ties_[i].follower.point);
     for (end = i; end < ties_.size() && ties_[end].follower == ties_[i].follower; ++end)
-      waits = waits || copied.contains(point_of(ties_[end].leader));
+      waits = waits || copied.contains(ties_[end].leader.point);
     auto& sum = waits ? pending : own;
     sum.insert(sum.end(), ties_.begin() + std::ptrdiff_t(i), ties_.begin() + std::ptrdiff_t(end));
   }
@@ -200,17 +199,16 @@ void Constraints::fetch(std::vector<std::int64_t>& numbers) const {
 template <typename Real, typename Weight>
 void Constraints::impose_own(Values<Real>& state, const Weight& weight) const {
   if (exchange_) exchange_->start(std::span(state.data(), std::size_t(state.size())));
-  for (const Place& place : zero_) state(place.component, place.point) = 0;
-  for_each_sum(followers_, state, weight, [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
+  for (const auto& dof : zero_) at_dof(state, dof) = 0;
+  for_each_sum(followers_, state, weight, [&](const Dof& to, Real sum) { at_dof(state, to) = sum; });
 }
 
 template <typename Real, typename Weight>
 void Constraints::impose_pending(Values<Real>& state, const Weight& weight) const {
   if (!exchange_) return;
   exchange_->finish();
-  for (const Place& place : pending_zero_) state(place.component, place.point) = 0;
-  for_each_sum(pending_followers_, state, weight,
-               [&](const Place& to, Real sum) { state(to.component, to.point) = sum; });
+  for (const auto& dof : pending_zero_) at_dof(state, dof) = 0;
+  for_each_sum(pending_followers_, state, weight, [&](const Dof& to, Real sum) { at_dof(state, to) = sum; });
 }
 
 template <typename Real, typename Weight>
@@ -251,7 +249,7 @@ std::vector<char> Constraints::pending(std::size_t points) const {
   std::vector<char> result(exchange_ ? points : 0, 0);
   if (!exchange_) return result;
   for (const auto k : copies_) result[k] = 1;
-  for (const auto& place : pending_followers_.target) result[place.point] = 1;
+  for (const auto& dof : pending_followers_.target) result[dof.point] = 1;
   return result;
 }
 
@@ -262,7 +260,7 @@ void Constraints::impose_absolute(State& state) const {
 namespace {
 
 template <typename Real>
-Eigen::VectorXd picked(const Values<Real>& forces, const std::vector<std::uint32_t>& dofs) {
+Eigen::VectorXd picked(const Values<Real>& forces, const std::vector<Dof>& dofs) {
   Eigen::VectorXd result{Eigen::Index(dofs.size())};
   for (std::size_t i = 0; i < dofs.size(); ++i) result[Eigen::Index(i)] = double(at_dof(forces, dofs[i]));
   return result;
@@ -280,9 +278,9 @@ Eigen::VectorXd Constraints::on_held(const Values<float>& forces) const {
 
 template <typename Real, typename Weight>
 void Constraints::fold_with(Values<Real>& forces, const Weight& weight) const {
-  for_each_sum(leaders_, forces, weight, [&](const Place& to, Real sum) { forces(to.component, to.point) += sum; });
-  for (const auto* places : {&zero_, &followers_.target, &pending_followers_.target})
-    for (const Place& place : *places) forces(place.component, place.point) = 0;
+  for_each_sum(leaders_, forces, weight, [&](const Dof& to, Real sum) { at_dof(forces, to) += sum; });
+  for (const auto* dofs : {&zero_, &followers_.target, &pending_followers_.target})
+    for (const auto& dof : *dofs) at_dof(forces, dof) = 0;
   for (const auto point : copies_) forces.col(point).setZero();
 }
 

@@ -12,16 +12,16 @@ namespace plate {
 
 class HaloExchange;
 
-/// Degrees of freedom (plate/model/space.hpp) that are zero or follow others. Together they are the matrix P of
+/// Degrees of freedom that are zero or follow others. Together they are the matrix P of
 /// u = P q; forces go back by its transpose, so that a symmetric stiffness stays symmetric.
 class Constraints {
 public:
   struct Leader {
-    std::uint32_t dof;
+    Dof dof;
     double factor;
   };
   struct Tie {
-    std::uint32_t follower, leader;
+    Dof follower, leader;
     double factor;  // u[follower] = sum of factor * u[leader] over its ties
   };
   /// Offset of a held degree of freedom from the value of its leaders, per unit motion of its support.
@@ -30,16 +30,16 @@ public:
     double value;
   };
 
-  void fix(std::uint32_t dof, std::vector<Offset> offsets = {});
+  void fix(const Dof& dof, std::vector<Offset> offsets = {});
   /// u[follower] = sum of factor * u[dof] over the leaders, which may follow others in turn, or be fixed; resolve()
   /// resolves the chains. A dof that is tied twice keeps its first leaders.
-  void tie(std::uint32_t follower, std::vector<Leader> leaders, std::vector<Offset> offsets = {});
+  void tie(const Dof& follower, std::vector<Leader> leaders, std::vector<Offset> offsets = {});
 
   /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
   void resolve();
 
   /// Ties free degrees of freedom after resolve(). What they follow moves with no support.
-  void tie_more(std::vector<std::pair<std::uint32_t, std::vector<Leader>>> ties);
+  void tie_more(std::vector<std::pair<Dof, std::vector<Leader>>> ties);
 
   /// Sets the ghosts, points that other ranks own: impose() fetches their values before anything follows them, fold()
   /// leaves no forces on them. After resolve(). `communicator` must outlive this.
@@ -54,9 +54,9 @@ public:
   Constraints fetching(std::shared_ptr<const HaloExchange> exchange) const;
 
   const std::vector<Tie>& ties() const { return ties_; }  // ascending by follower
-  const std::vector<std::uint32_t>& fixed() const { return fixed_; }
-  bool held(std::uint32_t dof) const;
-  const std::vector<std::uint32_t>& held() const { return held_; }  // fixed or tied, ascending
+  const std::vector<Dof>& fixed() const { return fixed_; }
+  bool held(const Dof& dof) const;
+  const std::vector<Dof>& held() const { return held_; }  // fixed or tied, ascending
   /// Dirichlet lift: values of the held degrees of freedom under a unit motion of supports, with all free ones at rest
   /// [3 x points]; without columns where none of them moves.
   State lift(std::size_t motion, std::size_t points) const;
@@ -87,16 +87,13 @@ public:
   void fold_diagonal(Forces& diagonal) const;  // m = diag(P^T diag(m) P); zero at held dofs
 
 private:
-  struct Place {
-    std::uint32_t component, point;
-  };
   struct Share {
-    Place from;
+    Dof from;
     double factor;
   };
   /// Shares that every target takes, so that targets can be treated at once.
   struct Sums {
-    std::vector<Place> target;
+    std::vector<Dof> target;
     std::vector<std::size_t> first{0};
     std::vector<Share> shares;
   };
@@ -110,16 +107,16 @@ private:
   template <typename Real, typename Weight>
   void fold_with(Values<Real>& forces, const Weight& weight) const;
 
-  std::unordered_map<std::uint32_t, std::vector<Leader>> wanted_;              // until resolve()
-  std::unordered_map<std::uint32_t, std::vector<Offset>> of_fixed_, of_ties_;  // until resolve()
-  std::map<std::size_t, std::vector<Leader>> lifts_;                           // by motion: what is held and its value
+  std::unordered_map<Dof, std::vector<Leader>> wanted_;              // until resolve()
+  std::unordered_map<Dof, std::vector<Offset>> of_fixed_, of_ties_;  // until resolve()
+  std::map<std::size_t, std::vector<Leader>> lifts_;                 // by motion: what is held and its value
   std::vector<Tie> ties_;
-  std::vector<std::uint32_t> fixed_;
-  std::vector<std::uint32_t> held_;  // sorted, by resolve()
-  std::vector<Place> zero_;          // held and follows none
-  Sums followers_, leaders_;         // of resolve()
-  std::vector<Place> pending_zero_;  // of the zeros those of ghosts
-  Sums pending_followers_;           // of the followers those that are ghosts, or follow some
+  std::vector<Dof> fixed_;
+  std::vector<Dof> held_;          // sorted, by resolve()
+  std::vector<Dof> zero_;          // held and follows none
+  Sums followers_, leaders_;       // of resolve()
+  std::vector<Dof> pending_zero_;  // of the zeros those of ghosts
+  Sums pending_followers_;         // of the followers those that are ghosts, or follow some
   std::vector<std::uint32_t> copies_;
   const Communicator* communicator_ = &single_process();
   std::shared_ptr<const HaloExchange> exchange_;  // none where one process holds the plate

@@ -45,7 +45,7 @@ void add_bilateral(const ElasticSupport& a, double factor, const Values<Real>& s
 }  // namespace
 
 Forces ElasticSupport::force(const State& state) const {
-  Forces result = zero_forces(state.cols());
+  Forces result = zero_like(state);
   add_bilateral(*this, -1, state, result);
   return result;
 }
@@ -101,7 +101,7 @@ void ElasticSupports::add_energies(const State& state, Eigen::VectorXd& energies
 }
 
 double ElasticSupports::energy(const State& state, const PointMap& map) const {
-  Forces force = zero_forces(state.cols());
+  Forces force = zero_like(state);
   add_force(state, force);
   return ordered_sum<1>(map, std::size_t(state.cols()), [&](std::size_t n) {
     const auto k = Eigen::Index(n);
@@ -148,7 +148,7 @@ void ElasticSupports::add_change(const State& state, const ContactState& touchin
 }
 
 void ElasticSupportSum::add(double stiffness, const std::vector<FormTerm>& form) {
-  std::vector<std::uint32_t> dofs;
+  std::vector<Dof> dofs;
   Eigen::VectorXd factors{Eigen::Index(form.size())};
   for (const auto& term : form) factors[Eigen::Index(dofs.size())] = term.factor, dofs.push_back(term.dof);
   add(dofs, stiffness * factors * factors.transpose());
@@ -159,8 +159,8 @@ void ElasticSupportSum::add_unilateral(double stiffness, const std::vector<FormT
   add(stiffness, form);
 }
 
-void ElasticSupportSum::add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
-  const auto at = [&](Eigen::Index i) { return std::uint64_t(flat(dofs[std::size_t(i)], points_)); };
+void ElasticSupportSum::add(const std::vector<Dof>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
+  const auto at = [&](Eigen::Index i) { return std::uint64_t(index_in_state(dofs[std::size_t(i)], points_)); };
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
       if (matrix(i, j) != 0) entries_.push_back({at(i) << 32 | at(j), matrix(i, j)});
@@ -189,7 +189,8 @@ ElasticSupport ElasticSupportSum::taken(std::string name, const std::optional<ge
     std::vector<Contact::Place> places;
     for (const auto& [stiffness, form] : places_) {
       places.push_back({stiffness, {}});
-      for (const auto& [dof, factor] : form) places.back().form.emplace_back(std::uint32_t(flat(dof, points_)), factor);
+      for (const auto& [dof, factor] : form)
+        places.back().form.emplace_back(std::uint32_t(index_in_state(dof, points_)), factor);
     }
     result.contact = std::make_shared<const Contact>(places);
   }

@@ -15,7 +15,7 @@ namespace plate {
 class Contact;
 
 /// The stiffness of one foundation, spring or stiffener, symmetric and without negative eigenvalues, by rows. Rows
-/// and columns are indices of the memory of a State: flat() of their degrees of freedom.
+/// and columns are indices of the memory of a State: index_in_state() of their degrees of freedom.
 struct ElasticSupport {
   std::string name;                         // foundation0, ..., spring0, ..., stiffener0, ... in the order of the case
   std::optional<geometry::Point> position;  // of a spring at a point [length]
@@ -32,10 +32,10 @@ struct ElasticSupport {
   Forces force(const State& state) const;
   double energy(const State& state) const;
 
-  /// visit(row, column, value) by degrees of freedom (plate/model/space.hpp).
+  /// visit(row, column, value) by degrees of freedom.
   template <typename Visit>
   void for_each(const Visit& visit) const {
-    const auto dof = [&](std::uint32_t flat) { return std::uint32_t(dof_of_flat(flat, points)); };
+    const auto dof = [&](std::uint32_t index) { return dof_at(index, points); };
     for (std::size_t r = 0; r < row.size(); ++r)
       for (auto i = first[r]; i < first[r + 1]; ++i) visit(dof(row[r]), dof(column[i]), value[i]);
   }
@@ -79,7 +79,7 @@ private:
 
 /// A part of a form: factor times a degree of freedom.
 struct FormTerm {
-  std::uint32_t dof;
+  Dof dof;
   double factor;
 };
 
@@ -91,7 +91,7 @@ public:
   /// Adds a spring with the energy stiffness / 2 (sum of factor * u)^2.
   void add(double stiffness, const std::vector<FormTerm>& form);
   /// A symmetric matrix of some degrees of freedom.
-  void add(const std::vector<std::uint32_t>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+  void add(const std::vector<Dof>& dofs, const Eigen::Ref<const Eigen::MatrixXd>& matrix);
   /// Adds a place of a unilateral foundation.
   void add_unilateral(double stiffness, const std::vector<FormTerm>& form);
   ElasticSupport taken(std::string name, const std::optional<geometry::Point>& position, bool holds = true) &&;

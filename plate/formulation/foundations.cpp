@@ -170,7 +170,7 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
   for (const Point& x : ring) spread += (x - middle) * (x - middle).transpose();
   const Eigen::Matrix2d inverse = spread.inverse();
   Eigen::Matrix<double, N, 3> linear;  // value in the middle and slopes, of every corner
-  std::vector<std::uint32_t> dofs;
+  std::vector<Dof> dofs;
   for (std::size_t i = 0; i < N; ++i) {
     linear.row(Eigen::Index(i)) << 1 / double(N), (inverse * (ring[i] - middle)).transpose();
     dofs.push_back(dof(cell[i], 0));

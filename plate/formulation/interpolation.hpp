@@ -55,7 +55,7 @@ struct LevelTransfer {
 };
 
 /// Degrees of freedom (plate/model/space.hpp) and their factors.
-using DofTerms = std::vector<std::pair<std::uint32_t, double>>;
+using DofTerms = std::vector<std::pair<Dof, double>>;
 
 /// w, theta_x and theta_y at a place.
 PointValues value_at(const std::vector<PlaceShare>& place, const State& state);

@@ -34,7 +34,7 @@ RigidParts::RigidParts(const Boundary& boundary, const geometry::Families& famil
   }
   // what has an image is tied to all that the image is bonded to
   for (const auto& tie : boundary.constraints.ties())
-    if (follows_[point_of(tie.follower)]) line_[point_of(tie.leader)] = Point(0, 0);
+    if (follows_[tie.follower.point]) line_[tie.leader.point] = Point(0, 0);
   for_each_bond([&](std::uint32_t k, std::uint32_t j) {
     if (follows_[k] || follows_[j] || sets_.root(k) == sets_.root(j)) return;
     if (on_line(k) && on_line(j)) sets_.join(k, j);  // one chain; its points' turns are counted one by one
@@ -104,10 +104,10 @@ public:
     gram_ = Eigen::MatrixXd::Zero(size, size);
     const auto& ties = boundary.constraints.ties();
     for (const auto dof : boundary.constraints.fixed())
-      if (parts.has(point_of(dof))) add({{parts.part(point_of(dof)), parts.row(dof)}});
+      if (parts.has(dof.point)) add({{parts.part(dof.point), parts.row(dof)}});
     for (std::size_t i = 0; i < ties.size(); ++i)
-      if (const auto dof = ties[i].follower; parts.has(point_of(dof)) && (i == 0 || ties[i - 1].follower != dof)) {
-        Condition condition{{parts.part(point_of(dof)), parts.row(dof)}};
+      if (const auto dof = ties[i].follower; parts.has(dof.point) && (i == 0 || ties[i - 1].follower != dof)) {
+        Condition condition{{parts.part(dof.point), parts.row(dof)}};
         append(condition, dof, -1);
         add(condition);
       }
@@ -131,29 +131,29 @@ private:
 
   /// A foundation or spring, over its largest entry.
   void add_elastic(const ElasticSupport& part) {
-    const auto length = [&](std::uint32_t dof) { return is_deflection(dof) ? boundary_.cloud.units.spacing : 1; };
+    const auto length = [&](const Dof& dof) { return is_deflection(dof) ? boundary_.cloud.units.spacing : 1; };
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(gram_.rows(), gram_.cols());
-    part.for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      own.block<RigidParts::motions, RigidParts::motions>(RigidParts::motions * parts_.part(point_of(row)),
-                                                          RigidParts::motions * parts_.part(point_of(column))) +=
+    part.for_each([&](const Dof& row, const Dof& column, double value) {
+      own.block<RigidParts::motions, RigidParts::motions>(RigidParts::motions * parts_.part(row.point),
+                                                          RigidParts::motions * parts_.part(column.point)) +=
           value * length(row) * length(column) * parts_.row(row) * parts_.row(column).transpose();
     });
     gram_ += own / own.cwiseAbs().maxCoeff();
   }
 
   /// factor times a degree of freedom that is held, by its leaders.
-  void append(Condition& condition, std::uint32_t dof, double factor) const {
+  void append(Condition& condition, const Dof& dof, double factor) const {
     const auto& ties = boundary_.constraints.ties();
     auto tie = std::ranges::lower_bound(ties, dof, {}, &Constraints::Tie::follower);
     for (; tie != ties.end() && tie->follower == dof; ++tie) {
       const bool lever = is_deflection(dof) && !is_deflection(tie->leader);  // w of rotations: [length]
       const double share = lever ? tie->factor / boundary_.cloud.units.spacing : tie->factor;
-      condition.emplace_back(parts_.part(point_of(tie->leader)), factor * share * parts_.row(tie->leader));
+      condition.emplace_back(parts_.part(tie->leader.point), factor * share * parts_.row(tie->leader));
     }
   }
-  void append_any(Condition& condition, std::uint32_t dof, double factor) const {
-    if (parts_.has(point_of(dof)))
-      condition.emplace_back(parts_.part(point_of(dof)), factor * parts_.row(dof));
+  void append_any(Condition& condition, const Dof& dof, double factor) const {
+    if (parts_.has(dof.point))
+      condition.emplace_back(parts_.part(dof.point), factor * parts_.row(dof));
     else
       append(condition, dof, factor);
   }
@@ -192,13 +192,14 @@ struct Drive {
 Drive drive(const Boundary& boundary, const RigidParts& parts, const Forces& load) {
   Drive result;
   result.sum = result.size = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(RigidParts::motions * parts.count()));
-  for (std::uint32_t dof = 0; dof < load.size(); ++dof) {
-    const double force = at_dof(load, dof) * (is_deflection(dof) ? boundary.cloud.units.spacing : 1);
-    if (force == 0 || !parts.has(point_of(dof))) continue;
-    const Eigen::Vector3d work = force * parts.row(dof);
-    result.sum.segment<RigidParts::motions>(RigidParts::motions * parts.part(point_of(dof))) += work;
-    result.size.segment<RigidParts::motions>(RigidParts::motions * parts.part(point_of(dof))) += work.cwiseAbs();
-  }
+  for (std::uint32_t k = 0; k < load.cols(); ++k)
+    for (const auto dof : dofs_of(k)) {
+      const double force = at_dof(load, dof) * (is_deflection(dof) ? boundary.cloud.units.spacing : 1);
+      if (force == 0 || !parts.has(k)) continue;
+      const Eigen::Vector3d work = force * parts.row(dof);
+      result.sum.segment<RigidParts::motions>(RigidParts::motions * parts.part(k)) += work;
+      result.size.segment<RigidParts::motions>(RigidParts::motions * parts.part(k)) += work.cwiseAbs();
+    }
   return result;
 }
 
@@ -255,7 +256,7 @@ std::optional<std::uint32_t> next_rigid(std::uint32_t from, const RigidParts& pa
 void tie_twists(Boundary& boundary, const geometry::Families& families) {
   const RigidParts parts(boundary, families);
   auto& constraints = boundary.constraints;
-  std::vector<std::pair<std::uint32_t, std::vector<Constraints::Leader>>> ties;
+  std::vector<std::pair<Dof, std::vector<Constraints::Leader>>> ties;
   for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) {
     if (!parts.on_line(k)) continue;
     const Point& n = parts.line(k);

@@ -40,10 +40,10 @@ public:
     return Eigen::Vector3d(0, n.x(), n.y()) / extent_[part];
   }
   /// Returns the row of a degree of freedom, deflections in spacings.
-  Eigen::Vector3d row(std::uint32_t dof) const {
-    const auto k = point_of(dof), own = part(k);
+  Eigen::Vector3d row(const Dof& dof) const {
+    const auto k = dof.point, own = part(k);
     if (is_deflection(dof)) return deflection(own, boundary_.lattice[k]);
-    return component_of(dof) == 1 ? slope(own, {0, 1}) : slope(own, {-1, 0});
+    return dof.component == 1 ? slope(own, {0, 1}) : slope(own, {-1, 0});
   }
 
   /// Every pair of bonded points that stores energy, once.

@@ -51,8 +51,8 @@ std::vector<std::int64_t> set_numbers(DisjointSets& sets, const Boundary& bounda
 namespace {
 
 /// The three rigid motions at one degree of freedom: w = 1; w = x, theta_y = -1; w = y, theta_x = 1.
-Eigen::Vector3d rigid(std::uint32_t dof, const geometry::Point& x) {
-  switch (component_of(dof)) {
+Eigen::Vector3d rigid(const Dof& dof, const geometry::Point& x) {
+  switch (dof.component) {
     case 0:
       return {1, x.x(), x.y()};
     case 1:
@@ -67,7 +67,7 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
   for (std::uint32_t k = 0; k < families.points(); ++k)
     for (const auto& bond : families[k])  // far from its owned points a process does not know what has broken
       if (bond.neighbour < k && (boundary.owns(k) || boundary.owns(bond.neighbour))) sets.join(k, bond.neighbour);
-  for (const auto& tie : boundary.constraints.ties()) sets.join(point_of(tie.follower), point_of(tie.leader));
+  for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower.point, tie.leader.point);
   return sets;
 }
 
@@ -96,12 +96,12 @@ Grams elastic(const Boundary& boundary, const std::vector<std::int64_t>& piece_o
   constexpr double rounding = 1e-11;
   Grams result, sizes;
   const double spacing = boundary.cloud.units.spacing;
-  const auto length = [&](std::uint32_t dof) { return is_deflection(dof) ? spacing : 1; };
+  const auto length = [&](const Dof& dof) { return is_deflection(dof) ? spacing : 1; };
   for (const auto& part : boundary.elastic_supports.holding())
-    part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      if (!boundary.owns(point_of(row))) return;
-      const auto number = piece_of[point_of(row)];
-      const bool within = number == piece_of[point_of(column)];
+    part->for_each([&](const Dof& row, const Dof& column, double value) {
+      if (!boundary.owns(row.point)) return;
+      const auto number = piece_of[row.point];
+      const bool within = number == piece_of[column.point];
       const Eigen::Matrix3d one =
           value * length(row) * length(column) * at(row) * at(within ? column : row).transpose();
       result.try_emplace(number, Eigen::Matrix3d::Zero()).first->second += one;
@@ -166,12 +166,12 @@ AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& pie
 Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const AllFound& found) {
   Grams gram;
   for (const auto& [number, one] : found) gram[number].setZero();
-  const auto counts = [&](std::uint32_t dof) { return found.contains(piece_of[point_of(dof)]); };
-  const auto add = [&](std::uint32_t dof, const Eigen::Vector3d& row) {
-    gram.at(piece_of[point_of(dof)]) += row * row.transpose();
+  const auto counts = [&](const Dof& dof) { return found.contains(piece_of[dof.point]); };
+  const auto add = [&](const Dof& dof, const Eigen::Vector3d& row) {
+    gram.at(piece_of[dof.point]) += row * row.transpose();
   };
-  const auto at = [&](std::uint32_t dof) {  // in lattice units about the piece's first point
-    return rigid(dof, boundary.lattice[point_of(dof)] - found.at(piece_of[point_of(dof)]).origin);
+  const auto at = [&](const Dof& dof) {  // in lattice units about the piece's first point
+    return rigid(dof, boundary.lattice[dof.point] - found.at(piece_of[dof.point]).origin);
   };
   for (const auto dof : boundary.constraints.fixed())
     if (counts(dof)) add(dof, at(dof));

@@ -26,7 +26,7 @@ struct Node {
   std::vector<Point> levers;  // half of the way from each point
 };
 
-using Sum = std::map<std::uint32_t, double>;  // factors of degrees of freedom
+using Sum = std::map<Dof, double>;  // factors of degrees of freedom
 
 void add_deflection(const Node& node, double factor, Sum& form) {
   for (std::size_t i = 0; i < node.shares.size(); ++i) {

@@ -27,13 +27,11 @@ PointValues SupportOffsets::at(const SupportMotion& motion, const Point& lattice
   return motion.at(units.from_lattice(lattice), side.outward(lattice), -side.inside(lattice) * units.spacing);
 }
 
-SupportOffsets::Offsets SupportOffsets::of(std::uint32_t dof, const Side& side, const Leaders& leaders) const {
+SupportOffsets::Offsets SupportOffsets::of(const Dof& dof, const Side& side, const Leaders& leaders) const {
   Offsets result;
   for (const auto& motion : motions_) {
     if (!moves(motion, side)) continue;
-    const auto value = [&](std::uint32_t one) {
-      return at(motion, boundary_->lattice[point_of(one)], side)[component_of(one)];
-    };
+    const auto value = [&](const Dof& one) { return at(motion, boundary_->lattice[one.point], side)[one.component]; };
     double offset = value(dof);
     for (const auto& [leader, factor] : leaders) offset -= factor * value(leader);
     result.push_back({motion.load, offset});

@@ -23,7 +23,7 @@ public:
       : boundary_(&boundary), motions_(motions) {}
 
   /// Offsets of a degree of freedom that a side holds by these leaders.
-  Offsets of(std::uint32_t dof, const Side& side, const Leaders& leaders) const;
+  Offsets of(const Dof& dof, const Side& side, const Leaders& leaders) const;
   /// Offsets at a corner: of the image in `second` of the image in `first` of a point, with the signs by which each
   /// follows the other.
   Offsets of_corner(std::uint32_t image, std::uint32_t point, std::uint32_t component, const Side& first,

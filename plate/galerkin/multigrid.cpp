@@ -45,7 +45,7 @@ void SumByOwners::add(Forces& forces) const {
     const auto values = values_of<double>(found[from]);
     for (std::size_t i = 0; i < received_[from].size(); ++i)
       for (std::size_t c = 0; c < unknowns_per_point; ++c)
-        forces(Eigen::Index(c), received_[from][i]) += values[dof(i, c)];
+        forces(Eigen::Index(c), received_[from][i]) += values[index_by_points(i, c)];
   }
 }
 

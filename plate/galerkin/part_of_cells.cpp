@@ -145,8 +145,8 @@ std::size_t nearest(const std::vector<Point>& positions, const Point& x) {
 void include_elastic_supports(const ElasticSupports& elastic_supports, const std::vector<char>& own,
                               std::vector<char>& wanted) {
   for (const auto& one : elastic_supports.parts())
-    one->for_each([&](std::uint32_t row, std::uint32_t column, double) {
-      if (own[point_of(row)]) wanted[point_of(column)] = 1;
+    one->for_each([&](const Dof& row, const Dof& column, double) {
+      if (own[row.point]) wanted[column.point] = 1;
     });
 }
 
@@ -224,10 +224,10 @@ public:
     for (std::size_t motion = 0; motion < motions; ++motion)
       if (auto lift = whole.lift(motion, points); lift.cols() > 0) lifts_.emplace(motion, std::move(lift));
   }
-  std::vector<Constraints::Offset> of(std::uint32_t dof) const {
+  std::vector<Constraints::Offset> of(const Dof& dof) const {
     std::vector<Constraints::Offset> result;
     for (const auto& [motion, lift] : lifts_)
-      if (const double value = lift(component_of(dof), point_of(dof)); value != 0) result.push_back({motion, value});
+      if (const double value = lift(dof.component, dof.point); value != 0) result.push_back({motion, value});
     return result;
   }
 
@@ -238,16 +238,15 @@ private:
 Constraints restricted(const Constraints& whole, const std::vector<std::uint32_t>& place, std::size_t motions) {
   Constraints result;
   const DirichletLifts lifts(whole, motions, place.size());
-  const auto here = [&](std::uint32_t dof) { return plate::dof(place[point_of(dof)], component_of(dof)); };
+  const auto here = [&](const Dof& dof) { return plate::dof(place[dof.point], dof.component); };
   for (const auto dof : whole.fixed())
-    if (place[point_of(dof)] != none) result.fix(here(dof), lifts.of(dof));
+    if (place[dof.point] != none) result.fix(here(dof), lifts.of(dof));
   const auto& ties = whole.ties();
   for (std::size_t i = 0; i < ties.size();) {
     const auto follower = ties[i].follower;
     std::vector<Constraints::Leader> leaders;
     for (; i < ties.size() && ties[i].follower == follower; ++i)
-      if (place[point_of(follower)] != none)
-        leaders.push_back({here(ties[i].leader), ties[i].factor});  // the point itself
+      if (place[follower.point] != none) leaders.push_back({here(ties[i].leader), ties[i].factor});  // the point itself
     if (!leaders.empty()) result.tie(here(follower), std::move(leaders), lifts.of(follower));
   }
   result.resolve();
@@ -298,9 +297,9 @@ ElasticSupports restricted(const ElasticSupports& whole, const geometry::CellsPa
   for (const auto& one : whole.parts()) {
     const auto place = places(part, one->points);
     const auto points = part.number.size();
-    const auto here = [&](std::uint32_t flat) {
-      const auto at = place[flat % one->points];
-      return at == none ? none : std::uint32_t(flat / one->points * points + at);
+    const auto here = [&](std::uint32_t index) {
+      const auto [point, component] = dof_at(index, one->points);
+      return place[point] == none ? none : std::uint32_t(index_in_state({place[point], component}, points));
     };
     ElasticSupport own{one->name, one->position, one->holds, points, {}, {}, {}, {}, {}};
     for (std::size_t r = 0; r < one->row.size(); ++r) {
@@ -334,10 +333,9 @@ MovingForces restricted(MovingForces whole, const PartOfCells& part) {
   const auto& number = part.part.number;
   for (auto& station : whole.stations) {
     std::erase_if(station.forces,
-                  [&](const auto& one) { return !std::ranges::binary_search(number, point_of(one.first)); });
+                  [&](const auto& one) { return !std::ranges::binary_search(number, one.first.point); });
     for (auto& dof : station.forces | std::views::keys)
-      dof = plate::dof(std::uint32_t(std::ranges::lower_bound(number, point_of(dof)) - number.begin()),
-                       component_of(dof));
+      dof.point = std::uint32_t(std::ranges::lower_bound(number, dof.point) - number.begin());
   }
   whole.own = part.own;
   return whole;

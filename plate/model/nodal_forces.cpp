@@ -79,8 +79,9 @@ MovingForces stations(const Load& load, const std::vector<Point>& positions, std
     else
       press(moved(*load.as<Pressure>(), x), forces);
     auto& station = result.stations.emplace_back(MovingForces::Station{time, {}});
-    for (std::uint32_t dof = 0; dof < forces.size(); ++dof)
-      if (const double force = at_dof(forces, dof); force != 0) station.forces.emplace_back(dof, force);
+    for (Eigen::Index k = 0; k < forces.cols(); ++k)
+      for (const auto dof : dofs_of(k))
+        if (const double force = at_dof(forces, dof); force != 0) station.forces.emplace_back(dof, force);
   }
   return result;
 }
@@ -95,7 +96,7 @@ std::size_t MovingForces::after(double time) const {
 
 Forces MovingForces::whole(double time, std::size_t points) const {
   Forces result = zero_forces(points);
-  at(time, [&](std::uint32_t dof, double force) { at_dof(result, dof) += force; });
+  at(time, [&](const Dof& dof, double force) { at_dof(result, dof) += force; });
   return result;
 }
 

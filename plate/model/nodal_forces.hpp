@@ -27,7 +27,7 @@ struct Section;
 struct MovingForces {
   struct Station {
     double time;
-    std::vector<std::pair<std::uint32_t, double>> forces;  // by degree of freedom (dof()), ascending
+    std::vector<std::pair<Dof, double>> forces;  // ascending
   };
   std::vector<Station> stations;  // by time; nothing acts before the first and after the last
   std::vector<char> own = {};     // owned points; empty: all

@@ -33,6 +33,11 @@ Forces zero_forces(Count points) {
   return zero_state(points);
 }
 
+/// Zeros of the shape of another State or Forces.
+inline State zero_like(const State& other) {
+  return State::Zero(other.rows(), other.cols());
+}
+
 /// State without columns: stands for "none" where a state is optional.
 inline State no_state() {
   return State(unknowns_per_point, 0);
@@ -40,8 +45,8 @@ inline State no_state() {
 
 /// Value of a degree of freedom in a State or Forces [3 x points].
 template <typename Values>
-decltype(auto) at_dof(Values&& values, std::size_t dof) {
-  return values(static_cast<Eigen::Index>(component_of(dof)), static_cast<Eigen::Index>(point_of(dof)));
+decltype(auto) at_dof(Values&& values, const Dof& dof) {
+  return values(dof.component, dof.point);
 }
 
 }  // namespace plate

@@ -42,7 +42,7 @@ AssembledPlate::AssembledPlate(const Operator& plate, const Constraints& constra
 
 void AssembledPlate::apply(const Forces& residual, State& result) const {
   const Eigen::MatrixXd solution = factor_->solve(gathered(unknowns_, residual));
-  result.setZero(unknowns_per_point, residual.cols());
+  result.setZero(residual.rows(), residual.cols());
   for (Eigen::Index u = 0; u < solution.rows(); ++u) at_dof(result, unknowns_.dof[std::size_t(u)]) = solution(u, 0);
 }
 
@@ -56,7 +56,7 @@ std::vector<State> AssembledPlate::solve(const std::vector<Forces>& loads) const
   const Eigen::MatrixXd solution = factor_->solve(right);
   std::vector<State> result(loads.size());
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    result[i].setZero(unknowns_per_point, loads[i].cols());
+    result[i].setZero(loads[i].rows(), loads[i].cols());
     for (Eigen::Index u = 0; u < solution.rows(); ++u)
       at_dof(result[i], unknowns_.dof[std::size_t(u)]) = solution(u, Eigen::Index(i));
     constraints_.impose(result[i]);
@@ -146,9 +146,9 @@ void DistributedFactor::apply(const Forces& residual, State& result) const {
   for (const auto k : own_)
     for (Eigen::Index c = 0; c < unknowns_per_point; ++c) values.push_back(residual(c, k));
   inverse_->apply(values);
-  result.setZero(unknowns_per_point, residual.cols());
+  result.setZero(residual.rows(), residual.cols());
   for (std::size_t n = 0; n < own_.size(); ++n)
-    for (Eigen::Index c = 0; c < unknowns_per_point; ++c) result(c, own_[n]) = values[dof(n, c)];
+    for (Eigen::Index c = 0; c < unknowns_per_point; ++c) result(c, own_[n]) = values[index_by_points(n, c)];
 }
 
 }  // namespace plate

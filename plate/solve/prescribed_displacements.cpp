@@ -83,7 +83,7 @@ Forces acting_load(const Formulation& plate) {
   std::vector<Forces> all;
   for (const auto& load : plate.loads()) all.push_back(load.forces);
   const auto sum = plate.total_load();
-  return cancel(plate, all) ? zero_forces(sum.cols()) : sum;
+  return cancel(plate, all) ? zero_like(sum) : sum;
 }
 
 namespace {
@@ -175,7 +175,7 @@ PrescribedDisplacements::Residual PrescribedDisplacements::residual(const State&
   const Forces diagonal = plate_.diagonal(), whole = force(state);
   Forces folded = diagonal;
   constraints.fold_diagonal(folded);
-  Forces reaction = zero_forces(whole.cols());
+  Forces reaction = zero_like(whole);
   for (const auto dof : constraints.held()) at_dof(reaction, dof) = at_dof(whole, dof);
   Residual result{whole};
   constraints.fold(result.force);

@@ -83,9 +83,9 @@ StaticSolution iterate(const Product& minus_k, const Constraints& constraints, c
   const double load_norm = weighted_norm(constraints, residual, weight);
 
   StaticSolution result;
-  result.state = zero_state(load.cols());
+  result.state = zero_like(load);
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
-  State correction, direction = zero_state(load.cols());
+  State correction, direction = zero_like(load);
   Forces product;
   double norm = load_norm, rho = 0;
   if (start)
@@ -145,10 +145,10 @@ StaticSolution adaptive_dynamic_relaxation(const Operator& plate, const Constrai
   const double load_norm = weighted_norm(constraints, external, weight);
 
   StaticSolution result;
-  result.state = zero_state(load.cols());
+  result.state = zero_like(load);
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
-  State velocity = zero_state(load.cols());
-  Forces force, previous = zero_forces(load.cols());
+  State velocity = zero_like(load);
+  Forces force, previous = zero_like(load);
   double* u = result.state.data();
   double* v = velocity.data();
   double* a_before = previous.data();  // acceleration F / lambda of the step before
@@ -221,7 +221,7 @@ StaticSolution refined(const Operator& plate, const Constraints& constraints, co
   external = external.array() * (weight.array() > 0).cast<double>();
   const double load_norm = weighted_norm(constraints, external, weight);
   StaticSolution result;
-  result.state = zero_state(load.cols());
+  result.state = zero_like(load);
   if (load_norm == 0) return {result.state, 0, 0, true, "no load reaches a free degree of freedom"};
   Forces residual = external, internal;
   State correction;
@@ -421,7 +421,7 @@ std::optional<State> nearest(const std::vector<State>& states, const std::vector
   }
   const Eigen::MatrixXd symmetric = (energies + energies.transpose()) / 2;
   const Eigen::VectorXd share = symmetric.completeOrthogonalDecomposition().solve(work);
-  State result = zero_state(load.cols());
+  State result = zero_like(load);
   for (Eigen::Index i = 0; i < size; ++i) result += share[i] * states[std::size_t(i)];
   return result;
 }

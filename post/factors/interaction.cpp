@@ -135,7 +135,8 @@ SeriesFit over(const TipView& plate, const TipFrame& frame, const TipSection& at
   SeriesFit result{
       {ring.inner, ring.outer, 0}, {}, Eigen::Matrix3Xd(3, plate::unknowns_per_point * Eigen::Index(rows.size()))};
   for (const auto& [k, own] : rows) {
-    result.row.middleCols(plate::dof(Eigen::Index(result.points.size()), 0), plate::unknowns_per_point) = factors * own;
+    result.row.middleCols(plate::index_by_points(Eigen::Index(result.points.size()), 0), plate::unknowns_per_point) =
+        factors * own;
     result.points.push_back(k);
   }
   return result;

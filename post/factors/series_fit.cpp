@@ -260,7 +260,8 @@ Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
     const Eigen::MatrixXd first = (even ? x : y) * half.psi * (even ? 1 : -1), second = (even ? y : x) * half.psi;
     for (std::size_t i = 0; i < half.fields.size(); ++i)
       for (Eigen::Index k = 0; k < count; ++k)
-        result.col(half.fields[i]).segment<plate::unknowns_per_point>(plate::dof(k, 0)) << w(k, Eigen::Index(i)),
+        result.col(half.fields[i]).segment<plate::unknowns_per_point>(plate::index_by_points(k, 0))
+            << w(k, Eigen::Index(i)),
             first(k, Eigen::Index(i)), second(k, Eigen::Index(i));
   }
   return result;
@@ -340,14 +341,15 @@ std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& ti
       fit.points.push_back(points[std::size_t(within[i])]);
       weight.push_back(std::sqrt(plate.areas[fit.points.back()]));
       const plate::PointValues each = weight.back() * plate::PointValues(1 / range.outer, 1, 1);
-      own.middleRows(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) =
+      own.middleRows(plate::index_by_points(Eigen::Index(i), 0), plate::unknowns_per_point) =
           each.asDiagonal() *
-          fields.middleRows(plate::dof(within[i], 0), plate::unknowns_per_point)(Eigen::all, columns);
+          fields.middleRows(plate::index_by_points(within[i], 0), plate::unknowns_per_point)(Eigen::all, columns);
     }
     const Eigen::MatrixXd rows = rows_of(std::move(own), series.factors()(Eigen::all, columns));
     for (std::size_t i = 0; i < within.size(); ++i)
-      fit.row.middleCols(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) =
-          weight[i] * rows.middleRows(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point).transpose() * turn;
+      fit.row.middleCols(plate::index_by_points(Eigen::Index(i), 0), plate::unknowns_per_point) =
+          weight[i] *
+          rows.middleRows(plate::index_by_points(Eigen::Index(i), 0), plate::unknowns_per_point).transpose() * turn;
     result.push_back(std::move(fit));
   }
   return result;
@@ -357,7 +359,7 @@ Eigen::Vector3d SeriesFit::operator()(const NearField& field) const {
   Eigen::Vector3d K = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto u = field(points[i]);
-    K += row.middleCols(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point) *
+    K += row.middleCols(plate::index_by_points(Eigen::Index(i), 0), plate::unknowns_per_point) *
          plate::PointValues(u.w, u.theta_x, u.theta_y);
   }
   return K;

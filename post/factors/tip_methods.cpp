@@ -207,8 +207,8 @@ Eigen::MatrixXd TipMethods::AtTip::functionals() const {
   const SeriesFit& fit = fits_.front();
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3, plate::unknowns_per_point * Eigen::Index(view_->positions.size()));
   for (std::size_t i = 0; i < fit.points.size(); ++i)
-    result.middleCols(plate::dof(Eigen::Index(fit.points[i]), 0), plate::unknowns_per_point) =
-        fit.row.middleCols(plate::dof(Eigen::Index(i), 0), plate::unknowns_per_point);
+    result.middleCols(plate::index_by_points(Eigen::Index(fit.points[i]), 0), plate::unknowns_per_point) =
+        fit.row.middleCols(plate::index_by_points(Eigen::Index(i), 0), plate::unknowns_per_point);
   result.row(2) *= at_.section.thickness;
   return result;
 }

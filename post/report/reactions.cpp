@@ -44,9 +44,9 @@ std::vector<int> sides_that_hold(const plate::Boundary& boundary, const plate::F
 }
 
 /// The holders of every degree of freedom that is held.
-std::map<std::uint32_t, std::vector<std::uint32_t>> holders_by_dof(const plate::Boundary& boundary) {
-  std::map<std::uint32_t, std::vector<std::uint32_t>> result;
-  const auto add = [&](std::uint32_t dof, std::uint32_t holder) {
+std::map<plate::Dof, std::vector<std::uint32_t>> holders_by_dof(const plate::Boundary& boundary) {
+  std::map<plate::Dof, std::vector<std::uint32_t>> result;
+  const auto add = [&](const plate::Dof& dof, std::uint32_t holder) {
     if (!boundary.constraints.held(dof)) return;
     auto& all = result[dof];
     if (std::ranges::find(all, holder) == all.end()) all.push_back(holder);
@@ -84,9 +84,9 @@ Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
   auto tie = ties.begin();
   for (std::uint32_t i = 0; i < held.size(); ++i) {
     const auto dof = held[i];
-    Wrench unit = wrench(positions[plate::point_of(dof)], plate::component_of(dof), 1);
+    Wrench unit = wrench(positions[dof.point], dof.component, 1);
     for (; tie != ties.end() && tie->follower == dof; ++tie)
-      unit += wrench(positions[plate::point_of(tie->leader)], plate::component_of(tie->leader), -tie->factor);
+      unit += wrench(positions[tie->leader.point], tie->leader.component, -tie->factor);
     const auto all = holders.find(dof);
     if (all == holders.end()) continue;  // a turn that follows another point's (plate::tie_twists): no force in sum
     for (const auto holder : all->second) shares_.push_back({holder, i, 1.0 / double(all->second.size()) * unit});
@@ -130,7 +130,7 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
     const auto [force, moment_x, moment_y] =
         plate::ordered_sum<3>(boundary_->map, of_holder.size(), [&](std::size_t s) {
           const auto& [holder, i, unit] = of_holder[std::ptrdiff_t(s)];
-          const double size = boundary_->owns(plate::point_of(held[i])) ? reaction[i] : 0;
+          const double size = boundary_->owns(held[i].point) ? reaction[i] : 0;
           return std::array<double, 3>{size * unit.force, size * unit.moment_x, size * unit.moment_y};
         });
     result.supports[h] = {force, moment_x, moment_y};

@@ -84,7 +84,7 @@ Eigen::MatrixXd functionals(const Probe& probe, std::size_t points, double thick
       Eigen::MatrixXd::Zero(plate::unknowns_per_point, plate::unknowns_per_point * Eigen::Index(points));
   for (std::uint32_t c = 0; c < plate::unknowns_per_point; ++c)
     for (const auto& [dof, factor] : plate::terms_of(probe.shares, c))
-      result(c, Eigen::Index(plate::flat(dof, points))) = factor * (c == 0 ? 1 : thickness);
+      result(c, Eigen::Index(plate::index_in_state(dof, points))) = factor * (c == 0 ? 1 : thickness);
   return result;
 }
 

@@ -15,12 +15,12 @@ Eigen::VectorXd scaled_eigenvalues(const Formulation& a) {
   const Eigen::Index size = 3 * vp::size(a);
   std::vector<Eigen::Index> free;
   for (Eigen::Index n = 0; n < size; ++n)
-    if (!a.constraints().held(std::uint32_t(n))) free.push_back(n);
+    if (!a.constraints().held(dof_by_points(n))) free.push_back(n);
   Eigen::MatrixXd K(free.size(), free.size());
   State unit = State::Zero(3, vp::size(a));
   for (std::size_t i = 0; i < free.size(); ++i) {
     unit.setZero();
-    plate::at_dof(unit, std::size_t(free[i])) = 1;
+    plate::at_dof(unit, plate::dof_by_points(free[i])) = 1;
     a.constraints().impose(unit);
     K.col(Eigen::Index(i)) = -vp::folded_force(a, unit).reshaped()(free);
   }

@@ -23,8 +23,7 @@ struct Places {
 
   Places(const Unknowns& unknowns, std::size_t points) : place(points, none) {
     for (const auto dof : unknowns.dof)
-      if (place[point_of(dof)] == none)
-        place[point_of(dof)] = std::uint32_t(point.size()), point.push_back(point_of(dof));
+      if (place[dof.point] == none) place[dof.point] = std::uint32_t(point.size()), point.push_back(dof.point);
   }
 };
 
@@ -74,8 +73,8 @@ Unknowns unknowns(const Forces& diagonal, const std::vector<int>& order) {
     const auto k = order.empty() ? i : std::size_t(order[i]);
     for (const auto dof : dofs_of(k)) {
       if (!(at_dof(diagonal, dof) > 0)) continue;
-      result.index[dof] = std::int32_t(result.dof.size());
-      result.dof.push_back(std::uint32_t(dof));
+      result.index[index_in_state(dof, points)] = std::int32_t(result.dof.size());
+      result.dof.push_back(dof);
     }
   }
   return result;
@@ -85,9 +84,10 @@ Eigen::SparseMatrix<double> of_unknowns(const PointMatrix& matrix, const Unknown
   const Places places(unknowns, matrix.points());
   std::vector<std::size_t> first;
   const auto blocks = placed(matrix, places, first);
+  const auto index_of = [&](const Dof& dof) { return unknowns.index[index_in_state(dof, matrix.points())]; };
   const auto count_of = [&](std::uint32_t place) {
     const auto dofs = dofs_of(places.point[place]);
-    return std::size_t(std::ranges::count_if(dofs, [&](auto dof) { return unknowns.index[dof] >= 0; }));
+    return std::size_t(std::ranges::count_if(dofs, [&](const Dof& dof) { return index_of(dof) >= 0; }));
   };
   const auto size = unknowns.size();
   Eigen::SparseMatrix<double> result(size, size);
@@ -102,13 +102,13 @@ Eigen::SparseMatrix<double> of_unknowns(const PointMatrix& matrix, const Unknown
 #pragma omp parallel for schedule(static)
   for (std::size_t c = 0; c < places.point.size(); ++c)
     for (std::size_t d = 0; d < unknowns_per_point; ++d) {
-      const auto u = unknowns.index[dof(places.point[c], d)];
+      const auto u = index_of(dof(places.point[c], d));
       if (u < 0) continue;
       auto at = result.outerIndexPtr()[u];
       for (auto b = first[c]; b < first[c + 1]; ++b) {
         const auto& K = matrix.block[blocks[b].block];
         for (std::size_t r = 0; r < unknowns_per_point; ++r) {
-          const auto v = unknowns.index[dof(places.point[blocks[b].row], r)];
+          const auto v = index_of(dof(places.point[blocks[b].row], r));
           if (v < u) continue;  // none, or above the diagonal
           result.innerIndexPtr()[at] = v;
           const auto row = Eigen::Index(r), column = Eigen::Index(d);
@@ -133,11 +133,11 @@ public:
 
   Followers(const Constraints& constraints, std::size_t points) : place_(points, none) {
     for (const auto& tie : constraints.ties()) {  // ascending by follower
-      const auto k = point_of(tie.follower);
+      const auto k = tie.follower.point;
       if (place_[k] == none) begin(k);
-      const auto row = Eigen::Index(component_of(tie.follower));
+      const auto row = Eigen::Index(tie.follower.component);
       shares_[first_[place_[k]]].factor(row, row) = 0;
-      share(point_of(tie.leader)).factor(row, Eigen::Index(component_of(tie.leader))) += tie.factor;
+      share(tie.leader.point).factor(row, Eigen::Index(tie.leader.component)) += tie.factor;
     }
     first_.push_back(shares_.size());
   }
@@ -289,10 +289,10 @@ PointMatrix with(PointMatrix matrix, const ElasticSupports& elastic_supports) {
   if (elastic_supports.parts().empty()) return matrix;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Eigen::Matrix3d> blocks;  // column, row: on and below the diagonal
   for (const auto& part : elastic_supports.parts())
-    part->for_each([&](std::uint32_t row, std::uint32_t column, double value) {
-      if (point_of(row) < point_of(column)) return;
-      const auto [entry, fresh] = blocks.try_emplace({point_of(column), point_of(row)}, Eigen::Matrix3d::Zero());
-      entry->second(component_of(row), component_of(column)) += value;
+    part->for_each([&](const Dof& row, const Dof& column, double value) {
+      if (row.point < column.point) return;
+      const auto [entry, fresh] = blocks.try_emplace({column.point, row.point}, Eigen::Matrix3d::Zero());
+      entry->second(row.component, column.component) += value;
     });
   const auto of = [&](std::uint32_t column) { return blocks.lower_bound({column, 0}); };
   auto result = zeros(matrix.points(), [&](Column& column, std::uint32_t k) {

@@ -20,8 +20,8 @@ struct PointMatrix {
 
 /// Free degrees of freedom with stiffness, numbered one after the other, those of a point together.
 struct Unknowns {
-  std::vector<std::int32_t> index;  // by degree of freedom; -1: none
-  std::vector<std::uint32_t> dof;   // per unknown
+  std::vector<std::int32_t> index;  // by index_in_state(); -1: none
+  std::vector<Dof> dof;             // per unknown
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(dof.size()); }
 };

@@ -16,7 +16,7 @@ double deflection(const Impactor& impactor, const State& state) {
   const PointMap& map = impactor.map ? *impactor.map : one_process;
   return ordered_sum<1>(map, impactor.terms.size(), [&](std::size_t i) {
     const auto& [dof, factor] = impactor.terms[i];
-    return std::array<double, 1>{map.owns(point_of(dof)) ? factor * at_dof(state, dof) : 0};
+    return std::array<double, 1>{map.owns(dof.point) ? factor * at_dof(state, dof) : 0};
   })[0];
 }
 
@@ -66,7 +66,7 @@ void ImpactContact::move(double share, double time_step) {
 /// the contact may count too much by (dt Omega)^2 of the energy there, Omega^2 = k (1 / m + b M^-1 b): at most a
 /// hundredth.
 double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass) {
-  Forces unit = zero_forces(mass.cols());
+  Forces unit = zero_like(mass);
   for (const auto& [dof, factor] : impactor.terms) at_dof(unit, dof) += factor;
   constraints.fold(unit);
   const auto [of_plate] = ordered_sum<1>(constraints, std::size_t(unit.size()), [&](std::size_t i) {
@@ -95,7 +95,7 @@ void ContactAndDamping::find(const State& state, const State& velocity, const Fo
     if (kept_) earlier_ = state;
   }
   if (!contact_) return;
-  pressed_.setZero(unknowns_per_point, force.cols());
+  pressed_.setZero(force.rows(), force.cols());
   contact_->press(state, pressed_);
 }
 

@@ -15,8 +15,8 @@ namespace plate {
 DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constraints& constraints, const Forces& mass,
                                const Forces& folded, const std::vector<char>& own)
     : constraints_(&constraints), any_(std::ranges::any_of(loads, &TimedLoad::lifts)) {
-  const auto owns = [&](std::uint32_t dof) { return own.empty() || own[point_of(dof)]; };
-  std::map<std::uint32_t, std::vector<double>> lifts;
+  const auto owns = [&](const Dof& dof) { return own.empty() || own[dof.point]; };
+  std::map<Dof, std::vector<double>> lifts;
   for (std::size_t l = 0; l < loads.size(); ++l) {
     if (!loads[l].lifts()) continue;
     for (const auto dof : constraints.held())
@@ -25,7 +25,7 @@ DrivenSupports::DrivenSupports(const std::vector<TimedLoad>& loads, const Constr
   }
   if (lifts.empty()) return;
   for (const auto& load : loads) histories_.push_back(load.history);
-  std::map<std::uint32_t, std::size_t> leader_of;
+  std::map<Dof, std::size_t> leader_of;
   for (auto& [dof, values] : lifts) driven_.push_back({dof, owns(dof), at_dof(mass, dof), std::move(values)});
   auto tie = constraints.ties().begin();
   for (auto& one : driven_) {

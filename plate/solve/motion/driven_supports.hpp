@@ -57,13 +57,13 @@ public:
 
 private:
   struct Leader {
-    std::uint32_t dof;
+    Dof dof;
     bool own;
     double inverse_mass, acceleration = 0, velocity = 0;
     std::vector<double> loads = {};  // folded, of every load at factor 1
   };
   struct Driven {
-    std::uint32_t dof;
+    Dof dof;
     bool own;
     double mass;
     std::vector<double> lifts;                                 // of every load

@@ -317,7 +317,7 @@ std::optional<double> lanczos_bound(const Operator& plate, const Constraints& co
   constexpr std::size_t most = 400, check_every = 10;
   const Forces root = root_of(inverse_of(mass));
   now = (root.array() > 0).select(now, 0.0);
-  State before = zero_state(now.cols());
+  State before = zero_like(now);
   now /= std::sqrt(dot(constraints, now, now));
   std::vector<double> alpha, beta;
   Forces forces;

@@ -28,11 +28,11 @@ Forces driven_mass(const Formulation& plate, double rotary);
 
 /// A mass that meets the plate at time 0 at a place of it, and presses on it by a spring that does not pull.
 struct Impactor {
-  std::vector<std::pair<std::uint32_t, double>> terms;  // w of the place: degrees of freedom and their factors
-  double mass = 0;                                      // [mass]
-  double velocity = 0;                                  // along w [length/time]; its sign tells the side
-  double stiffness = 0;                                 // of the contact [force/length]
-  const PointMap* map = nullptr;                        // of the plate, which must outlive this; null: one process
+  std::vector<std::pair<Dof, double>> terms;  // w of the place: degrees of freedom and their factors
+  double mass = 0;                            // [mass]
+  double velocity = 0;                        // along w [length/time]; its sign tells the side
+  double stiffness = 0;                       // of the contact [force/length]
+  const PointMap* map = nullptr;              // of the plate, which must outlive this; null: one process
 };
 
 /// State of the impacting mass: place along w, velocity half a step before, and the contact so far.
@@ -43,10 +43,10 @@ struct ImpactorState {
 
 /// Motion and contact force of the impacting mass at an instant.
 struct ImpactorMotion {
-  double place, velocity;                               // along w [length, length/time]
-  double force;                                         // that it presses with, on the plate along w [force]
-  double largest, touching;                             // of all steps so far: force, how long it presses [time]
-  std::vector<std::pair<std::uint32_t, double>> terms;  // of the Impactor
+  double place, velocity;                     // along w [length, length/time]
+  double force;                               // that it presses with, on the plate along w [force]
+  double largest, touching;                   // of all steps so far: force, how long it presses [time]
+  std::vector<std::pair<Dof, double>> terms;  // of the Impactor
 };
 
 /// Initial state of a motion, beside loads: what its case gives, on all of its points.

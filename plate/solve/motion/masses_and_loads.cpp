@@ -108,8 +108,8 @@ std::array<double, N> TravellingLoads::products(const std::array<double, N>& tim
     const auto& history = loads_[i].history;
     for (std::size_t n = 0; n < N; ++n) {
       const double share = factor(history, times[n]);
-      forces->at(times[n], [&](std::uint32_t dof, double force) {
-        if (forces->own.empty() || forces->own[point_of(dof)]) add(n, share * force * at_dof(state, dof));
+      forces->at(times[n], [&](const Dof& dof, double force) {
+        if (forces->own.empty() || forces->own[dof.point]) add(n, share * force * at_dof(state, dof));
       });
     }
   };
@@ -125,7 +125,7 @@ void TravellingLoads::add(double time, double time_step, const State& state, Val
   now_ = now, next_ = next, begun_ = true;
   for (const auto& one : loads_) {
     const double share = factor(one.history, time);
-    one.forces->at(time, [&](std::uint32_t dof, double value) { at_dof(force, dof) += Real(share * value); });
+    one.forces->at(time, [&](const Dof& dof, double value) { at_dof(force, dof) += Real(share * value); });
   }
 }
 

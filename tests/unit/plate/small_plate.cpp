@@ -56,9 +56,9 @@ Eigen::MatrixXd stiffness(const plate::FamilyOperator& op) {
   plate::State unit = plate::State::Zero(3, points);
   plate::Forces forces;
   for (Eigen::Index n = 0; n < K.cols(); ++n) {
-    plate::at_dof(unit, std::size_t(n)) = 1;
+    plate::at_dof(unit, plate::dof_by_points(n)) = 1;
     op.internal_force(unit, forces);
-    plate::at_dof(unit, std::size_t(n)) = 0;
+    plate::at_dof(unit, plate::dof_by_points(n)) = 0;
     K.col(n) = -forces.reshaped();
   }
   return K;

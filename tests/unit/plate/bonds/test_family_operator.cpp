@@ -33,10 +33,10 @@ TEST_CASE("internal force is minus the derivative of the energy") {
   double worst = 0;
   for (Eigen::Index n = 0; n < u.size(); ++n) {
     State plus = u, minus = u;
-    plate::at_dof(plus, std::size_t(n)) += 1;  // any step: the energy is quadratic
-    plate::at_dof(minus, std::size_t(n)) -= 1;
-    worst = std::max(
-        worst, std::abs(plate::at_dof(force, std::size_t(n)) + (energy(m.plate, plus) - energy(m.plate, minus)) / 2));
+    plate::at_dof(plus, plate::dof_by_points(n)) += 1;  // any step: the energy is quadratic
+    plate::at_dof(minus, plate::dof_by_points(n)) -= 1;
+    worst = std::max(worst, std::abs(plate::at_dof(force, plate::dof_by_points(n)) +
+                                     (energy(m.plate, plus) - energy(m.plate, minus)) / 2));
   }
   CHECK(force.cwiseAbs().maxCoeff() > 1);
   CHECK(worst < 1e-11 * force.cwiseAbs().maxCoeff());  // measured: 2e-15

@@ -23,7 +23,8 @@ void add(const SparseStiffness& block, Eigen::Index row, Eigen::Index column, bo
 int rigid_motions(const SurfacePlate& p, const std::vector<PrescribedUnknown>& held) {
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, Eigen::Index(held.size())), 3);
   for (std::size_t i = 0; i < held.size(); ++i) {
-    const int node = point_of(int(held[i].unknown)), component = component_of(int(held[i].unknown));
+    const auto [point, component] = dof_by_points(held[i].unknown);
+    const int node = int(point);
     const Point at = (node < p.body.real ? p.at(node) : p.at_surface(node - p.body.real)) / p.bonds.spacing;
     // w = 1; w = x, theta_y = -1; w = y, theta_x = 1
     motions.row(Eigen::Index(i)) = component == 0   ? Eigen::RowVector3d(1, at.x(), at.y())

@@ -5,6 +5,8 @@
 #include "tests/unit/plate/small_plate.hpp"
 
 using plate::Constraints;
+using plate::Dof;
+using plate::dof_by_points;
 using plate::Forces;
 using plate::State;
 
@@ -17,24 +19,29 @@ Eigen::MatrixXd action(const Constraints& constraints) {
   Eigen::MatrixXd P(3 * points, 3 * points);
   for (Eigen::Index n = 0; n < P.cols(); ++n) {
     State unit = State::Zero(3, points);
-    plate::at_dof(unit, std::size_t(n)) = 1;
+    plate::at_dof(unit, dof_by_points(n)) = 1;
     constraints.impose(unit);
     P.col(n) = unit.reshaped();
   }
   return P;
 }
 
+/// Degree of freedom by its number where the values of a point stand together.
+Dof d(int number) {
+  return dof_by_points(number);
+}
+
 Constraints several() {
   Constraints c;
-  c.fix(0);
-  c.tie(1, {{2, 0.5}});  // chain 1 -> 2 -> 3
-  c.tie(2, {{3, -3}});
-  c.tie(4, {{0, 7}});  // follows a fixed one
-  c.tie(5, {{3, 2}});  // two followers of one leader
-  c.tie(5, {{8, 9}});  // held twice: the first counts
-  c.tie(6, {{7, 1}});  // ring
-  c.tie(7, {{6, 1}});
-  c.tie(9, {{6, 1}});  // leads into the ring
+  c.fix(d(0));
+  c.tie(d(1), {{d(2), 0.5}});  // chain 1 -> 2 -> 3
+  c.tie(d(2), {{d(3), -3}});
+  c.tie(d(4), {{d(0), 7}});  // follows a fixed one
+  c.tie(d(5), {{d(3), 2}});  // two followers of one leader
+  c.tie(d(5), {{d(8), 9}});  // held twice: the first counts
+  c.tie(d(6), {{d(7), 1}});  // ring
+  c.tie(d(7), {{d(6), 1}});
+  c.tie(d(9), {{d(6), 1}});  // leads into the ring
   c.resolve();
   return c;
 }
@@ -43,28 +50,28 @@ Constraints several() {
 
 TEST_CASE("chains end at a free leader, fixed leaders and rings hold at zero") {
   const Constraints c = several();
-  CHECK(c.fixed() == std::vector<std::uint32_t>{0, 4, 6, 7, 9});
+  CHECK(c.fixed() == std::vector<Dof>{d(0), d(4), d(6), d(7), d(9)});
   REQUIRE(c.ties().size() == 3);
-  const auto is = [&](std::size_t i, std::uint32_t follower, std::uint32_t leader, double factor) {
-    CHECK(c.ties()[i].follower == follower);
-    CHECK(c.ties()[i].leader == leader);
+  const auto is = [&](std::size_t i, int follower, int leader, double factor) {
+    CHECK(c.ties()[i].follower == d(follower));
+    CHECK(c.ties()[i].leader == d(leader));
     CHECK(c.ties()[i].factor == factor);
   };
   is(0, 1, 3, -1.5);
   is(1, 2, 3, -3);
   is(2, 5, 3, 2);
-  for (std::uint32_t dof = 0; dof < 12; ++dof)
-    CHECK(c.held(dof) ==
+  for (int dof = 0; dof < 12; ++dof)
+    CHECK(c.held(d(dof)) ==
           (dof == 0 || dof == 1 || dof == 2 || dof == 4 || dof == 5 || dof == 6 || dof == 7 || dof == 9));
 }
 
 TEST_CASE("a fixed degree of freedom that is also tied stays fixed") {
   Constraints c;
-  c.tie(3, {{5, 1}});
-  c.fix(3);
+  c.tie(d(3), {{d(5), 1}});
+  c.fix(d(3));
   c.resolve();
   CHECK(c.ties().empty());
-  CHECK(c.fixed() == std::vector<std::uint32_t>{3});
+  CHECK(c.fixed() == std::vector<Dof>{d(3)});
 }
 
 TEST_CASE("impose is a projection, a free state stays as it is") {
@@ -72,9 +79,9 @@ TEST_CASE("impose is a projection, a free state stays as it is") {
   State u = small_plate::random_state(points, 3);
   const State before = u;
   c.impose(u);
-  CHECK(plate::at_dof(u, std::size_t(0)) == 0);
-  CHECK(plate::at_dof(u, std::size_t(1)) == -1.5 * plate::at_dof(before, std::size_t(3)));
-  CHECK(plate::at_dof(u, std::size_t(8)) == plate::at_dof(before, std::size_t(8)));
+  CHECK(plate::at_dof(u, dof_by_points(0)) == 0);
+  CHECK(plate::at_dof(u, dof_by_points(1)) == -1.5 * plate::at_dof(before, dof_by_points(3)));
+  CHECK(plate::at_dof(u, dof_by_points(8)) == plate::at_dof(before, dof_by_points(8)));
   State again = u;
   c.impose(again);
   CHECK(again == u);
@@ -84,8 +91,8 @@ TEST_CASE("folds are the transposes that they say") {
   const Constraints c = several();
   // P takes its values from the free degrees of freedom alone
   Eigen::MatrixXd P = action(c);
-  for (std::uint32_t dof = 0; dof < 12; ++dof)
-    if (c.held(dof)) P.col(dof).setZero();
+  for (int dof = 0; dof < 12; ++dof)
+    if (c.held(d(dof))) P.col(dof).setZero();
   const Forces f = small_plate::random_state(points, 4);
 
   Forces folded = f, absolute = f, diagonal = f;
@@ -107,7 +114,7 @@ TEST_CASE("a symmetric stiffness stays symmetric") {
   Eigen::MatrixXd reduced(12, 12);
   for (Eigen::Index n = 0; n < 12; ++n) {
     State unit = State::Zero(3, points);
-    if (!c.held(static_cast<std::uint32_t>(n))) plate::at_dof(unit, std::size_t(n)) = 1;
+    if (!c.held(dof_by_points(n))) plate::at_dof(unit, dof_by_points(n)) = 1;
     c.impose(unit);
     Forces f(3, points);
     f.reshaped() = K * unit.reshaped();
@@ -147,8 +154,8 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   const State given = small_plate::random_state(points, 8), theirs = small_plate::random_state(points, 9);
   const auto others = std::make_shared<FromOthers>(theirs);
   Constraints c;
-  c.fix(1), c.fix(3 * 2 + 1);        // own, and a copy: zero whatever comes
-  c.tie(2, {{3, 2}});                // own follows own
+  c.fix(d(1)), c.fix(3 * 2 + 1);     // own, and a copy: zero whatever comes
+  c.tie(d(2), {{d(3), 2}});          // own follows own
   c.tie(4, {{3 * 3, 0.5}, {0, 1}});  // own follows a copy too
   c.tie(3 * 3 + 1, {{0, 3}});        // a copy follows own
   c.resolve();

@@ -13,9 +13,9 @@ constexpr Eigen::Index points = 7;
 /// Three springs, of which two share a degree of freedom.
 ElasticSupports elastic_supports() {
   ElasticSupportSum first(points), second(points);
-  first.add(4, {{3 * 2, 1}, {3 * 5 + 1, -0.5}});
-  first.add(3, {{3 * 2, 1}});
-  second.add(2, {{3 * 6 + 2, 1}});
+  first.add(4, {{dof(2, 0), 1}, {dof(5, 1), -0.5}});
+  first.add(3, {{dof(2, 0), 1}});
+  second.add(2, {{dof(6, 2), 1}});
   std::vector<ElasticSupport> parts;
   parts.push_back(std::move(first).taken("foundation0", {}));
   parts.push_back(std::move(second).taken("spring0", geometry::Point(1, 2)));
@@ -25,10 +25,12 @@ ElasticSupports elastic_supports() {
 /// Stiffness of the elastic supports written out [3 points x 3 points].
 Eigen::MatrixXd by_hand() {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * points, 3 * points);
-  const auto dof = [](Eigen::Index point, Eigen::Index component) { return component * points + point; };
-  K(dof(2, 0), dof(2, 0)) = 7, K(dof(5, 1), dof(5, 1)) = 1;
-  K(dof(2, 0), dof(5, 1)) = K(dof(5, 1), dof(2, 0)) = -2;
-  K(dof(6, 2), dof(6, 2)) = 2;
+  const auto at = [](Eigen::Index point, int component) {
+    return Eigen::Index(index_in_state(dof(point, component), points));
+  };
+  K(at(2, 0), at(2, 0)) = 7, K(at(5, 1), at(5, 1)) = 1;
+  K(at(2, 0), at(5, 1)) = K(at(5, 1), at(2, 0)) = -2;
+  K(at(6, 2), at(6, 2)) = 2;
   return K;
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("folded matrix: P^T K P of ties within a point, to others, to two of t
       const Eigen::MatrixXd expected = dense::folded(random_matrix::dense(matrix), P);
       Forces diagonal(3, 9);
       for (Eigen::Index dof = 0; dof < 27; ++dof)
-        at_dof(diagonal, std::size_t(dof)) = !constraints.held(std::uint32_t(dof));
+        at_dof(diagonal, dof_by_points(dof)) = !constraints.held(dof_by_points(dof));
       const Eigen::MatrixXd found = of_unknowns(folded(matrix, constraints), unknowns(diagonal));
       REQUIRE(found.rows() == expected.rows());
       const Eigen::MatrixXd lower = expected.triangularView<Eigen::Lower>();

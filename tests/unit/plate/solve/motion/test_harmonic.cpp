@@ -25,7 +25,7 @@ struct Chain {
   Eigen::MatrixXd stiffness{points, points};
 
   Chain() {
-    for (std::uint32_t k = 0; k < points; ++k) constraints.fix(3 * k + 1), constraints.fix(3 * k + 2);
+    for (std::uint32_t k = 0; k < points; ++k) constraints.fix(dof(k, 1)), constraints.fix(dof(k, 2));
     constraints.resolve();
     for (Eigen::Index i = 0; i < points; ++i) mass(0, i) = 1 + 0.1 * double(i % 7), load(0, i) = std::sin(0.3 * i);
     for (Eigen::Index i = 0; i < points; ++i) {

@@ -31,7 +31,7 @@ struct Setting {
   Setting() {
     for (Eigen::Index i = 0; i < points; ++i)
       mass(0, i) = 1 + 0.005 * double(i), load(0, i) = std::sin(0.3 * double(i));
-    for (std::uint32_t k = 0; k < points; ++k) constraints.fix(3 * k + 1), constraints.fix(3 * k + 2);
+    for (std::uint32_t k = 0; k < points; ++k) constraints.fix(dof(k, 1)), constraints.fix(dof(k, 2));
     constraints.resolve();
   }
 

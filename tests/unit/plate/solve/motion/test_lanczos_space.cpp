@@ -13,7 +13,7 @@ TEST_CASE(
   const spring_chain::Chain chain(points);
   const spring_chain::Inverse inverse(chain);
   Constraints constraints;
-  for (std::uint32_t k = 0; k < points; ++k) constraints.fix(3 * k + 1), constraints.fix(3 * k + 2);
+  for (std::uint32_t k = 0; k < points; ++k) constraints.fix(dof(k, 1)), constraints.fix(dof(k, 2));
   constraints.resolve();
   Forces mass = Forces::Zero(3, points), load = mass, other = mass;
   for (Eigen::Index i = 0; i < points; ++i)
@@ -52,7 +52,7 @@ TEST_CASE("Lanczos space: it ends with as many vectors as there are free degrees
   const spring_chain::Chain chain(4);
   const spring_chain::Inverse inverse(chain);
   Constraints constraints;
-  for (std::uint32_t k = 0; k < 4; ++k) constraints.fix(3 * k + 1), constraints.fix(3 * k + 2);
+  for (std::uint32_t k = 0; k < 4; ++k) constraints.fix(dof(k, 1)), constraints.fix(dof(k, 2));
   constraints.resolve();
   Forces mass = Forces::Zero(3, 4), load = mass;
   mass.row(0).setOnes(), load(0, 0) = 1;
