@@ -142,7 +142,8 @@ int execute(const CLI::App& app, Arguments& a) {
   if (app.got_subcommand("run")) {
     const auto file = read_case(a.file, overrides(a), a.communicator->distributed());
     const auto folder = folder_of(a);
-    const auto summary = run(file, {folder, a.quiet, nullptr, a.resume, a.communicator});
+    const auto summary =
+        run(file, {.folder = folder, .quiet = a.quiet, .resume = a.resume, .communicator = a.communicator});
     if (!a.quiet)
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {
