@@ -74,7 +74,8 @@ std::filesystem::path folder_of(const Arguments& a) {
 
 int run_study(const Arguments& a) {
   const auto study = read_study(a.file);
-  const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again, part_of(a.part), a.merge});
+  const auto outcome = cases::run_study(
+      study, {.folder = folder_of(a), .quiet = a.quiet, .again = a.again, .part = part_of(a.part), .merge = a.merge});
   if (!a.quiet && a.part.empty()) fmt::print("{}", printed_study(outcome.table, study.title, folder_of(a)));
   if (outcome.missing > 0) return interrupted;
   if (outcome.killed > 0) return failed_machine;

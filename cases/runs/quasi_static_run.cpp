@@ -34,15 +34,14 @@ QuasiStaticRun::QuasiStaticRun(const RunPlan& plan, plate::Discretised first)
       stopwatch_(first.stopwatch),
       warnings_(first.warnings) {
   const auto& analysis = content_.analysis;
-  const plate::StaticOptions statics{analysis.tolerance, analysis.max_iterations, {}};
   if (growth_.by_bonds()) {
     start_ = std::move(first.plate);
-    bonds_ = std::make_unique<fracture::QuasiStaticBonds>(growth_, *start_, content_.srif, statics);
+    bonds_ = std::make_unique<fracture::QuasiStaticBonds>(
+        growth_, *start_, content_.srif, plate::StaticOptions{analysis.tolerance, analysis.max_iterations, {}});
     model_ = bonds_.get();
   } else {
-    const fracture::StaticSolver solver{analysis.static_method(), analysis.preconditioner, statics};
     tips_ = std::make_unique<fracture::GrowingPlate>(growth_, content_, std::move(first),
-                                                     factors_of_growth(content_.srif), solver, stopwatch_);
+                                                     factors_of_growth(content_.srif), analysis, stopwatch_);
     model_ = tips_.get();
   }
 }
