@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "cases/driver/case_plan.hpp"
 #include "cases/driver/prepared.hpp"
-#include "cases/runs/load_cases_run.hpp"
-#include "cases/runs/results.hpp"
-#include "cases/runs/run_once.hpp"
+#include "cases/driver/recording.hpp"
+#include "cases/runs/outputs.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
@@ -98,10 +96,9 @@ void warn_of_given_lengths(const CaseFile& file, std::vector<std::string>& warni
 
 }  // namespace
 
-Accurate to_accuracy(const CaseFile& file, bool quiet) {
+std::unique_ptr<Prepared> to_accuracy(const CaseFile& file, bool quiet) {
   const auto& options = *file.content.srif;
-  Accurate result;
-  auto& plate = result.plate;
+  std::unique_ptr<Prepared> plate;
   plate::Stopwatch before;
   std::optional<CaseError> refused;  // the coarsest points
   post::Progress progress(quiet, "srif.accuracy");
@@ -128,11 +125,11 @@ Accurate to_accuracy(const CaseFile& file, bool quiet) {
   plate->stopwatch.add(before);
   for (auto& warning : post::warnings_about(found.summary)) plate->warnings.push_back(std::move(warning));
   warn_of_given_lengths(file, plate->warnings);
-  result.found = found.summary;
+  plate->accuracy = found.summary;
   std::optional<std::vector<double>> truncated;
   if (plate->motion) truncated = plate->motion->truncated();
-  result.rows = post::rows_of(std::move(found), truncated, options, file.content.section.thickness);
-  return result;
+  plate->factors = post::rows_of(std::move(found), truncated, options, file.content.section.thickness);
+  return plate;
 }
 
 namespace {
@@ -186,13 +183,11 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
 }
 
 std::vector<std::vector<post::Srif>> factors_of_run(const Prepared& prepared, const RunOptions& options) {
-  const auto& content = prepared.file.content;
+  const RunPlan plan{prepared.file.content, options};
   plate::Stopwatch stopwatch = prepared.stopwatch;
-  Outputs outputs(plan_of(content, options), recording_of(content, options).recorder, stopwatch);
-  if (!content.load_cases.empty()) return factors_of(run_load_cases(prepared, outputs));
-  Results results(outputs, *prepared.plate, prepared.tip_methods);
-  run_once(prepared, results);
-  return results.factors().rows();
+  Outputs outputs(plan, recording(plan).recorder, stopwatch);
+  const auto summary = run(prepared, outputs);
+  return summary.load_cases.empty() ? outputs.factors().rows() : factors_of(summary);
 }
 
 }  // namespace cases

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/runs/run_plan.hpp"
-#include "post/files/summary.hpp"
+#include "cases/runs/analyses.hpp"
 #include "post/report/accuracy_search.hpp"
 
 namespace plate {
@@ -30,16 +29,9 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
 /// Solves a plate on the way to a stated accuracy; its solution stays with it. Throws NumericalError.
 post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis, const post::SrifOptions& options);
 
-/// A plate whose discretisation was found, and how.
-struct Accurate {
-  std::unique_ptr<Prepared> plate;  // the finest, solved
-  post::AccuracySummary found;
-  std::vector<std::vector<post::Srif>> rows;  // at all times: of each tip what all tend to, then of the finest
-};
-
 /// Refines until every factor of the case, static or in motion, is known to srif.accuracy, or time, memory or sizes
-/// end it. Throws CaseError and plate::NumericalError.
-Accurate to_accuracy(const CaseFile& file, bool quiet);
+/// end it. Returns the finest plate, solved. Throws CaseError and plate::NumericalError.
+std::unique_ptr<Prepared> to_accuracy(const CaseFile& file, bool quiet);
 
 /// Computes the intensity factors of a case at rest with twice the spacing, by the processes of its run: one row, or a
 /// row for each of its load cases and combinations. Warns of tips at which no method has room then. Throws CaseError or

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <ctime>
 
-#include "cases/driver/case_plan.hpp"
 #include "cases/driver/prepared.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
+#include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "cases/runs/distributed_run.hpp"
 #include "plate/formulation/discretised.hpp"
@@ -51,7 +51,7 @@ post::SampleRun run_of(const CaseFile& file, const plate::UsualSolver& solver, c
   const post::ScratchFolder scratch("pdplate_check");
   const auto begun = std::clock();
   plate::Stopwatch watch;
-  auto result = sample_run(plan_of(sample.content, {}), run(sample, {scratch.path(), true}), reduced.wider);
+  auto result = sample_run(sample.content, run(sample, {scratch.path(), true}), reduced.wider);
   watch.lap("run");
   result.share = std::min(1.0, double(std::clock() - begun) / CLOCKS_PER_SEC / watch.total());
   result.files = scratch.bytes();
@@ -98,7 +98,7 @@ RunEstimate estimate_cost(const CaseFile& file) {
     }
     return {};
   };
-  return unless_refused(file, [&] { return estimate_cost(plan_of(file.content, {}), run); });
+  return unless_refused(file, [&] { return estimate_cost(file.content, run); });
 }
 
 std::string cheaper_way(const CaseFile& file, double seconds) {
@@ -127,9 +127,9 @@ constexpr double giga = 1e9;
 
 /// Estimated cost, as text, of a run by `count` ranks of a distributed plate.
 std::string of_processes(const CaseFile& file, const RunEstimate& run, int count) {
-  const auto plan = plan_of(file.content, {});
-  const auto processes = unless_refused(file, [&] { return estimated_processes(file.content, count); });
-  return to_text(run, plan) + to_text(processes, run_by_one(run, plan)) +
+  const Case& c = file.content;
+  const auto processes = unless_refused(file, [&] { return estimated_processes(c, count); });
+  return to_text(run, c) + to_text(processes, run_by_one(run, c)) +
          fmt::format("files         {:.3g} GB\n(by runs of a sample of {} points, just now)\n", run.costs.files / giga,
                      run.sample_points);
 }
@@ -138,7 +138,7 @@ std::string of_processes(const CaseFile& file, const RunEstimate& run, int count
 std::string of_run(const CaseFile& file, int processes) {
   const auto run = estimate_cost(file);
   if (processes > 0) return of_processes(file, run, processes);
-  std::string text = to_text(run, plan_of(file.content, {}));
+  std::string text = to_text(run, file.content);
   double bytes = run.bytes, seconds = run.costs.total();
   if (file.content.srif && file.content.srif->second_formulation) {
     const auto other = estimate_cost(in_other_formulation(file));
@@ -175,7 +175,7 @@ std::string of_plate(const CaseFile& file) {
 std::string cost(const CaseFile& file, int processes) {
   constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
-  if (processes > 0) require_distributable(file, not_for_processes(plan_of(c, {}), processes));
+  if (processes > 0) require_distributable(file, not_for_processes(c, processes));
   std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
                                  c.formulation_reason);
   if (c.srif && c.srif->accuracy)

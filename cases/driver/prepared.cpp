@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "cases/driver/case_plan.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/runs/bonds_error.hpp"
 #include "cases/runs/distributed_run.hpp"
+#include "cases/runs/run_plan.hpp"
 #include "fracture/growth/growth.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/interpolation.hpp"
@@ -133,7 +133,7 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
     check_growing_tips(file, *plate, warnings);
     if (c.analysis.method == Analysis::Method::lanczos) resolve_free_motion(file, *plate);
     if (c.analysis.method == Analysis::Method::lanczos) {
-      steps = {0, unless_refused(file, [&] { return plate::row_grid(grid_options(plan_of(c, {}))); })};
+      steps = {0, unless_refused(file, [&] { return plate::row_grid(grid_options(c)); })};
     } else {
       const double free = plate::stable_time_step(*plate, c.analysis.rotary_inertia);
       const double limit = plate::stable_step(free, *plate, c.analysis, begin);
@@ -154,8 +154,7 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
 }
 
 plate::TimeGrid time_grid(const CaseFile& file, double limit) {
-  const auto options = grid_options(plan_of(file.content, {}));
-  return unless_refused(file, [&] { return plate::time_grid(options, limit); });
+  return unless_refused(file, [&] { return plate::time_grid(grid_options(file.content), limit); });
 }
 
 }  // namespace cases

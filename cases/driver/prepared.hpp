@@ -1,6 +1,6 @@
 #pragma once
 #include "cases/input/case_file.hpp"
-#include "cases/runs/run_plan.hpp"
+#include "cases/runs/analyses.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "post/factors/tip_methods.hpp"
 

@@ -4,16 +4,15 @@
 #include <fmt/ranges.h>
 
 #include "cases/driver/accuracy.hpp"
-#include "cases/driver/case_plan.hpp"
 #include "cases/driver/fatigue.hpp"
 #include "cases/driver/neighbouring_cracks.hpp"
 #include "cases/driver/prepared.hpp"
+#include "cases/driver/recording.hpp"
 #include "cases/input/case_file.hpp"
+#include "cases/input/formulations.hpp"
+#include "cases/runs/analyses.hpp"
 #include "cases/runs/distributed_run.hpp"
-#include "cases/runs/load_cases_run.hpp"
 #include "cases/runs/quasi_static_run.hpp"
-#include "cases/runs/response_run.hpp"
-#include "cases/runs/run_once.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
@@ -29,14 +28,11 @@ namespace cases {
 namespace {
 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
-  auto [plate, found, rows] = to_accuracy(file, options.quiet);
-  const auto& content = plate->file.content;
-  Outputs outputs(plan_of(content, options), recording_of(content, options).recorder, plate->stopwatch);
-  Results results(outputs, *plate->plate, plate->tip_methods);
-  results.factors().known(std::move(rows));
-  results.found(std::move(found));
-  plate->stopwatch.lap("output");
-  return run_once(*plate, results);
+  const auto prepared = to_accuracy(file, options.quiet);
+  const RunPlan plan{prepared->file.content, options};
+  Outputs outputs(plan, recording(plan).recorder, prepared->stopwatch);
+  prepared->stopwatch.lap("output");
+  return run(*prepared, outputs);
 }
 
 /// The plate as it has grown quasi-statically, a hundredth above the load that is there, and what it does then.
@@ -61,8 +57,9 @@ post::Summary grow(const CaseFile& file, const RunOptions& options) {
   auto found = discretised(with_factors, *options.communicator);
   check_growing_tips(file, *found.plate, found.warnings);
   tip_methods(with_factors, *found.plate);  // for what they refuse
-  QuasiStaticRun run(plan_of(c, options), std::move(found));
-  auto [recorder, checkpoints] = recording_of(c, options);
+  const RunPlan plan{c, options};
+  QuasiStaticRun run(plan, std::move(found));
+  auto [recorder, checkpoints] = recording(plan);
   const plate::StopOnSignals signals;
   auto summary = run(std::move(recorder), checkpoints.get());
   if (run.outcome().ended.how == fracture::End::unstable && c.growth->unstable == fracture::Growth::Unstable::move)
@@ -83,12 +80,12 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     second.emplace(in_other_formulation(file));
     stopwatch.lap("second_formulation");
   }
-  auto [recorder, checkpoints] = recording_of(prepared.file.content, options);
-  Outputs outputs(plan_of(prepared.file.content, options), std::move(recorder), stopwatch);
-  if (c.analysis.kind == Analysis::Kind::harmonic) return run_response(prepared, outputs);
+  const RunPlan plan{prepared.file.content, options};
+  auto [recorder, checkpoints] = recording(plan);
+  Outputs outputs(plan, std::move(recorder), stopwatch);
   const plate::StopOnSignals signals;
   stopwatch.lap("output");
-  post::OtherFactors others;
+  auto& others = prepared.other_factors;
   if (c.srif && c.srif->richardson)
     others.coarser = coarser_factors(file, options, prepared.warnings), stopwatch.lap("srif");
   if (second) {
@@ -99,10 +96,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     second.reset();
     stopwatch.lap("second_formulation");
   }
-  if (!c.load_cases.empty()) return run_load_cases(prepared, outputs, others);
-  Results results(outputs, *prepared.plate, prepared.tip_methods);
-  results.factors().compare_with(std::move(others));
-  auto summary = run_once(prepared, results, checkpoints.get());
+  auto summary = run(prepared, outputs, checkpoints.get());
   if (checkpoints) checkpoints->done();
   return summary;
 }
@@ -112,9 +106,9 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
   if (const auto& all = *options.communicator; all.distributed())
-    require_distributable(file, not_for_processes(plan_of(c, options), all.size()));
+    require_distributable(file, not_for_processes(c, all.size()));
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
-    if (auto done = done_before(recording_options(c, options), c.output.reports())) return std::move(*done);
+    if (auto done = done_before({c, options})) return std::move(*done);
   try {
     return run_in_folder(file, options);
   } catch (const RefusedFolder& refused) {
@@ -171,7 +165,7 @@ void report_again(const std::filesystem::path& folder) {
     throw CaseError(
         {{"report", (folder / "summary.json").string(), "is damaged, or of another version: run the case again"}});
   const Case c = read_case(folder / "case.resolved.toml", {}).content;
-  post::write_report(folder, {c, c.title, c.source, c.units, c.output.probes});
+  post::write_report(folder, reported(c));
 }
 
 post::Table srif_again(const std::filesystem::path& folder, const std::vector<std::string>& methods) {

@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "plate/model/point_map.hpp"
+#include "cases/runs/run_plan.hpp"
 
 namespace post {
-struct ResultsInMemory;
 struct Summary;
 struct Table;
 }  // namespace post
@@ -15,17 +14,6 @@ namespace cases {
 
 struct CaseFile;
 struct ParisLaw;
-
-struct RunOptions {
-  std::filesystem::path folder;  // results go here; made if it does not exist
-  bool quiet = false;
-  post::ResultsInMemory* in_memory = nullptr;  // results go here instead, and no file is written
-  bool resume = false;                         // goes on from what an earlier run has kept in the folder
-  const plate::Communicator* communicator = &plate::single_process();
-
-  /// Options of a run that belongs to this one.
-  RunOptions part(const std::string& name) const;
-};
 
 /// Runs a case and writes its results folder. Throws CaseError before anything is written; plate::NumericalError and
 /// plate::Interrupted after the last good frame, the summary and all tables have been written.

@@ -36,8 +36,12 @@ struct Case : plate::Problem {
   std::string formulation_reason = "as the case says";  // why discretization.formulation is what it is
   Analysis analysis;
   std::optional<fracture::Growth> growth;
-  std::optional<post::SrifOptions> srif;
+  std::optional<post::SrifOptions> srif;  // where intensity factors are wanted
   Output output;
+
+  bool grows_at_rest() const { return growth && analysis.kind == Analysis::Kind::static_; }
+  bool moves() const { return analysis.kind == Analysis::Kind::dynamic; }
+  bool si() const { return units == "SI"; }
 };
 
 /// A case together with the file that it is from.

@@ -6,6 +6,7 @@
 namespace cases {
 
 struct Case;
+struct CaseFile;
 
 /// Feature that a case asks for and that not every formulation can do.
 struct Asked {
@@ -38,5 +39,9 @@ void resolve_method(Case& content, const Reading& reading);
 
 /// Reports what the formulation of the case cannot do.
 void check_formulation(const Case& content, Reading& reading);
+
+/// The case in the other formulation, without files for fields. Settings that only one formulation has take their
+/// defaults. Throws CaseError where the case cannot be stated in it.
+CaseFile in_other_formulation(const CaseFile& file);
 
 }  // namespace cases

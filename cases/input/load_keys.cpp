@@ -78,9 +78,9 @@ const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
                                         {"simply_supported_hard_layer", SupportKind::simply_supported_hard_layer},
                                         {"pinned", SupportKind::pinned}}};
 
-Words<std::size_t> load_kinds() {
-  Words<std::size_t> result;
-  for (const auto& name : Load::names) result.allowed.emplace_back(name, result.allowed.size());
+Words<Load::Action> load_kinds() {
+  Words<Load::Action> result;
+  for (const auto& action : Load::kinds()) result.allowed.emplace_back(Load{action}.name(), action);
   return result;
 }
 
@@ -95,8 +95,7 @@ bool is(const Load& load) {
 /// Keys of loads of certain kinds.
 template <class... Actions>
 Condition<Load> kind_is() {
-  const std::vector<std::string> names{Load{Actions{}}.name()...};
-  return {"kind", fmt::format("kind = {}", fmt::join(names, " or ")), is<Actions...>};
+  return {"kind", fmt::format("kind = {}", fmt::join({Actions::name...}, " or ")), is<Actions...>};
 }
 
 Condition<Load> history_is(History::Kind kind) {
@@ -207,7 +206,7 @@ Field<Load> load_kind() {
              {"kind", "-", "one of " + words.text(), "", "what acts; see \"Loads\" and \"Signs\""},
              [words](const Value& given, Load& load) {
                const auto text = given.text();
-               if (const auto found = text ? words.find(given, *text) : std::nullopt) load.action = Load::made(*found);
+               if (const auto found = text ? words.find(given, *text) : std::nullopt) load.action = *found;
              },
              [](const Load& load) { return quoted(load.name()); })
       .required();

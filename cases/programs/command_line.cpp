@@ -74,7 +74,8 @@ std::filesystem::path folder_of(const Arguments& a) {
 
 int run_study(const Arguments& a) {
   const auto study = read_study(a.file);
-  const auto outcome = cases::run_study(study, {folder_of(a), a.quiet, a.again, part_of(a.part), a.merge});
+  const auto outcome = cases::run_study(
+      study, {.folder = folder_of(a), .quiet = a.quiet, .again = a.again, .part = part_of(a.part), .merge = a.merge});
   if (!a.quiet && a.part.empty()) fmt::print("{}", printed_study(outcome.table, study.title, folder_of(a)));
   if (outcome.missing > 0) return interrupted;
   if (outcome.killed > 0) return failed_machine;
@@ -142,7 +143,8 @@ int execute(const CLI::App& app, Arguments& a) {
   if (app.got_subcommand("run")) {
     const auto file = read_case(a.file, overrides(a), a.communicator->distributed());
     const auto folder = folder_of(a);
-    const auto summary = run(file, {folder, a.quiet, nullptr, a.resume, a.communicator});
+    const auto summary =
+        run(file, {.folder = folder, .quiet = a.quiet, .resume = a.resume, .communicator = a.communicator});
     if (!a.quiet)
       fmt::print("{}", post::printed(summary, file.content.units == "SI", file.content.section.thickness, folder));
   } else if (app.got_subcommand("check")) {

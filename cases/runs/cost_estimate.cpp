@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/input/case_file.hpp"
+#include "cases/runs/run_plan.hpp"
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
@@ -11,7 +13,7 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/numerical_method.hpp"
-#include "plate/model/problem.hpp"
+#include "plate/solve/motion/time_grid.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace cases {
@@ -42,21 +44,21 @@ double wider_points(const plate::Problem& problem, double wanted) {
 }
 
 /// The largest radius of rings about tips whose spacings are so much wider; 0 without rings [spacings].
-double rings_of(const RunPlan& plan, double wider) {
-  return plan.srif || plan.growth ? post::widest_ring(plan.problem, wider) : 0;
+double rings_of(const Case& c, double wider) {
+  return c.srif || c.growth ? post::widest_ring(c, wider) : 0;
 }
 
 /// Two samples, the smaller one as often as its points are too wide; nothing where the larger one's are.
-std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_sample, const plate::UsualSolver& solver,
+std::optional<post::Samples> samples(const Case& c, const RunSample& run_sample, const plate::UsualSolver& solver,
                                      double all, double points) {
-  const bool grows = plan.growth.has_value() || !plan.srif;
-  const double wider = wider_points(plan.problem, std::sqrt(all / points));
+  const bool grows = c.growth.has_value() || !c.srif;
+  const double wider = wider_points(c, std::sqrt(all / points));
   const auto reduced = [&](double by, bool factors) {
-    return ReducedRun{by == 1 ? wider : wider_points(plan.problem, wider * by), factors && plan.srif};
+    return ReducedRun{by == 1 ? wider : wider_points(c, wider * by), factors && c.srif};
   };
   const auto run = [&](const ReducedRun& one) {
     auto found = run_sample(solver, one);
-    if (found && one.factors) found->rings = rings_of(plan, one.wider);
+    if (found && one.factors) found->rings = rings_of(c, one.wider);
     return found;
   };
   post::Samples result;
@@ -73,16 +75,16 @@ std::optional<post::Samples> samples(const RunPlan& plan, const RunSample& run_s
     if (!large) return {};
     result.large = std::move(*large);
     if (!grows && !(result.factors = run(reduced(1, true)))) return {};
-    if (plan.analysis.method == Analysis::Method::central_difference) {
+    if (c.analysis.method == Analysis::Method::central_difference) {
       const double time_step = *result.large.summary.analysis.time_step_limit;
       const double begun = result.factors.value_or(result.large).seconds("solve");
       for (double steps = least_steps, taken = 0; taken < long_enough && steps <= most_steps;) {
-        if (!(result.longer = run({wider, plan.srif.has_value(), steps, time_step}))) return {};
+        if (!(result.longer = run({wider, c.srif.has_value(), steps, time_step}))) return {};
         taken = result.longer->seconds("solve") - begun;
         steps = std::round(steps * std::clamp(1.5 * long_enough / std::max(taken, 1e-4), 2.0, 64.0));
       }
     }
-    if (plan.analysis.sweep && plan.srif) result.longer = run({wider, true, 3 * double(few_frequencies)});
+    if (c.analysis.sweep && c.srif) result.longer = run({wider, true, 3 * double(few_frequencies)});
   } catch (const plate::NumericalError&) {
     if (wider == 1) throw;
     return {};
@@ -102,33 +104,32 @@ double advances_of(const plate::Problem& problem, const fracture::Growth& growth
 }
 
 /// The stable step of the plate, with the damping and the contact that samples are without.
-double global_step(double free, const RunPlan& plan) {
-  const auto& [problem, analysis] = std::tie(plan.problem, plan.analysis);
-  if (const auto& impact = problem.impact) {
-    const double spacing = problem.discretization.spacing_at_tips();
-    const double point = problem.section.density * problem.section.thickness * spacing * spacing;
+double global_step(double free, const Case& c) {
+  if (const auto& impact = c.impact) {
+    const double spacing = c.discretization.spacing_at_tips();
+    const double point = c.section.density * c.section.thickness * spacing * spacing;
     const double square = impact->stiffness * (1 / impact->mass + 1 / point);
     free = std::min(2 / std::sqrt(4 / (free * free) + square), 0.1 / std::sqrt(square));
   }
-  return analysis.damping ? plate::stable_step(free, *analysis.damping) : free;
+  return c.analysis.damping ? plate::stable_step(free, *c.analysis.damping) : free;
 }
 
-void set_motion(const RunPlan& plan, RunEstimate& result, const post::Samples& found) {
-  const auto& analysis = plan.analysis;
+void set_motion(const Case& c, RunEstimate& result, const post::Samples& found) {
+  const auto& analysis = c.analysis;
   auto& whole = result.whole;
   if (analysis.sweep) {
     whole.rows = double(analysis.sweep->count), whole.frames = frames_of_period;
     return;
   }
   if (analysis.method == Analysis::Method::lanczos) {
-    whole.rows = double(plate::row_grid(grid_options(plan)).steps);
+    whole.rows = double(plate::row_grid(grid_options(c)).steps);
   } else {
-    result.time_limit = global_step(post::stable_step_of_run(found), plan);
-    const auto grid = plate::time_grid(grid_options(plan), result.time_limit);
+    result.time_limit = global_step(post::stable_step_of_run(found), c);
+    const auto grid = plate::time_grid(grid_options(c), result.time_limit);
     result.time_step = grid.time_step, whole.steps = double(grid.steps);
     whole.rows = whole.steps / double(grid.steps_per_row);
   }
-  whole.frames = 2 + (plan.frames_every ? std::floor(analysis.duration / *plan.frames_every) : 0);
+  whole.frames = 2 + (c.output.every ? std::floor(analysis.duration / *c.output.every) : 0);
 }
 
 }  // namespace
@@ -162,29 +163,28 @@ plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solv
   return analysis;
 }
 
-post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double wider) {
+post::SampleRun sample_run(const Case& c, post::Summary summary, double wider) {
   post::SampleRun result{std::move(summary), wider};
-  const auto& analysis = sample.analysis;
-  if (sample.moves()) {
-    result.rows = 1 + std::round(analysis.duration / *sample.rows_every);
+  const auto& analysis = c.analysis;
+  if (c.moves()) {
+    result.rows = 1 + std::round(analysis.duration / *c.output.history_every);
     result.frames = 2;
   } else if (analysis.sweep) {
     result.rows = double(analysis.sweep->count), result.frames = frames_of_period;
   } else {
-    result.frames = analysis.kind == Analysis::Kind::frequencies ? double(analysis.modes) : sample.growth ? 2 : 1;
+    result.frames = analysis.kind == Analysis::Kind::frequencies ? double(analysis.modes) : c.growth ? 2 : 1;
   }
   return result;
 }
 
-RunEstimate estimate_cost(const RunPlan& plan, const RunSample& run) {
-  const auto& problem = plan.problem;
-  const auto& analysis = plan.analysis;
-  const double all = expected_points(problem);
+RunEstimate estimate_cost(const Case& c, const RunSample& run) {
+  const auto& analysis = c.analysis;
+  const double all = expected_points(c);
   RunEstimate result;
   using enum plate::Preconditioning;
   const bool modes = analysis.kind == Analysis::Kind::frequencies;
-  const auto of_modes = problem.discretization.formulation->offers(plate::Feature::levels) ? levels : diagonal;
-  result.solver = plate::usual_solver(problem, modes ? plate::StaticMethod::cg : analysis.static_method(),
+  const auto of_modes = c.discretization.formulation->offers(plate::Feature::levels) ? levels : diagonal;
+  result.solver = plate::usual_solver(c, modes ? plate::StaticMethod::cg : analysis.static_method(),
                                       modes ? of_modes : analysis.preconditioner, all);
   const bool steps = analysis.method == Analysis::Method::central_difference;
   const bool moves = is_motion(analysis);
@@ -192,44 +192,40 @@ RunEstimate estimate_cost(const RunPlan& plan, const RunSample& run) {
   std::optional<post::Samples> found;
   const bool adr = slow && result.solver.method == plate::StaticMethod::adr;
   for (const double points : {adr ? few / 3 : slow ? few : steps ? many : some, slow ? some : many, 3 * many})
-    if (!found) found = samples(plan, run, result.solver, all, points);
-  if (!found) found = samples(plan, run, result.solver, all, all);
+    if (!found) found = samples(c, run, result.solver, all, points);
+  if (!found) found = samples(c, run, result.solver, all, all);
   if (!found) throw plate::Refused({{plate::Subject::spacing, 0, "no sample of the plate can be run: refine"}});
 
   auto& whole = result.whole;
   result.points = whole.points = post::total_points(*found), result.bonds = post::total_bonds(*found);
   result.sample_points = std::size_t(found->large.points());
   result.multipliers = found->large.summary.multipliers;
-  whole.rings = rings_of(plan, 1);
+  whole.rings = rings_of(c, 1);
   whole.frames = found->large.frames;
   if (!moves) whole.iterations_order = result.solver.iterations, whole.seconds_order = result.solver.seconds;
-  if (moves) set_motion(plan, result, *found);
-  if (plan.grows_at_rest())
-    whole.advances = advances_of(problem, *plan.growth),
-    whole.frames = 1 + whole.advances / double(plan.growth->frames_every);
+  if (moves) set_motion(c, result, *found);
+  if (c.grows_at_rest())
+    whole.advances = advances_of(c, *c.growth), whole.frames = 1 + whole.advances / double(c.growth->frames_every);
   result.costs = post::estimated_cost(*found, whole);
-  result.bytes =
-      post::bytes_of_program(plan.fields || plan.states) + post::bytes_of_parts(*found, result.points) +
-      (steps ? 0 : result.solver.bytes) +
-      (problem.discretization.formulation == &plate::galerkin ? bytes_while_cells_are_made * result.points : 0) +
-      (plan.srif && !problem.discretization.tip_spacing ? post::bytes_of_rings(whole.rings) : 0);
+  result.bytes = post::bytes_of_program(c.output.vtk || c.output.hdf5) + post::bytes_of_parts(*found, result.points) +
+                 (steps ? 0 : result.solver.bytes) +
+                 (c.discretization.formulation == &plate::galerkin ? bytes_while_cells_are_made * result.points : 0) +
+                 (c.srif && !c.discretization.tip_spacing ? post::bytes_of_rings(whole.rings) : 0);
   return result;
 }
 
 namespace {
 
-std::string of_solution(const RunEstimate& run, const RunPlan& plan) {
+std::string of_solution(const RunEstimate& run, const Case& c) {
   if (run.time_step > 0)
     return fmt::format("time step     {:.4g} (stable limit {:.4g})\nsteps         {:.0f}\n", run.time_step,
                        run.time_limit, run.whole.steps);
-  if (plan.analysis.kind == Analysis::Kind::frequencies)
+  if (c.analysis.kind == Analysis::Kind::frequencies)
     return fmt::format("solution      Lanczos iteration, about {:.0f} iterations of its solver\n",
                        run.costs.iterations);
-  if (plan.analysis.kind != Analysis::Kind::static_)
+  if (c.analysis.kind != Analysis::Kind::static_)
     return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
-  const char* each = plan.growth                 ? " an advance"
-                     : plan.problem.unilateral() ? " for each try of what soil touches"
-                                                 : "";
+  const char* each = c.growth ? " an advance" : c.unilateral() ? " for each try of what soil touches" : "";
   return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
                      std::max(1.0, run.costs.iterations), each);
 }
@@ -253,8 +249,8 @@ std::string of_multipliers(const RunEstimate& run) {
 
 }  // namespace
 
-std::string to_text(const RunEstimate& run, const RunPlan& plan) {
-  return fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds) + of_solution(run, plan) +
+std::string to_text(const RunEstimate& run, const Case& c) {
+  return fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds) + of_solution(run, c) +
          of_multipliers(run) + of_time(run);
 }
 
@@ -332,10 +328,10 @@ double coarser_plates(double points) {
 }
 
 /// Messages and numbers of a product of the stiffness and what belongs to it.
-std::pair<double, double> exchanged(const RunEstimate& run, const RunPlan& plan) {
+std::pair<double, double> exchanged(const RunEstimate& run, const Case& c) {
   using enum plate::Preconditioning;
-  const auto inverse = plan.moves() ? diagonal : run.solver.preconditioner;
-  if (plan.problem.discretization.formulation == &plate::galerkin) {
+  const auto inverse = c.moves() ? diagonal : run.solver.preconditioner;
+  if (c.discretization.formulation == &plate::galerkin) {
     // displacements; with coarser plates counted, two and three of them: 19 and 28 messages, 13 states of the finest
     if (inverse == levels) return {9.5 * coarser_plates(run.points), 13 * 3};
     return {1, 3};
@@ -347,12 +343,12 @@ std::pair<double, double> exchanged(const RunEstimate& run, const RunPlan& plan)
 
 }  // namespace
 
-SingleProcessRun run_by_one(const RunEstimate& run, const RunPlan& plan) {
-  const double program = post::bytes_of_program(plan.fields || plan.states);
-  const auto [messages, numbers] = exchanged(run, plan);
-  const bool direct = !plan.moves() && run.solver.method == plate::StaticMethod::direct;
+SingleProcessRun run_by_one(const RunEstimate& run, const Case& c) {
+  const double program = post::bytes_of_program(c.output.vtk || c.output.hdf5);
+  const auto [messages, numbers] = exchanged(run, c);
+  const bool direct = !c.moves() && run.solver.method == plate::StaticMethod::direct;
   const double factor = direct ? run.solver.bytes : 0;
-  return {run.points, program, run.bytes - program, factor, run.costs.seconds, plan.moves(), messages, numbers};
+  return {run.points, program, run.bytes - program, factor, run.costs.seconds, c.moves(), messages, numbers};
 }
 
 double bytes_of_process(const ProcessesEstimate& processes, const SingleProcessRun& run) {

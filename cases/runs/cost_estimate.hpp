@@ -5,11 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "cases/runs/run_plan.hpp"
 #include "plate/formulations.hpp"
 #include "post/report/cost_model.hpp"
 
 namespace cases {
+
+struct Case;
 
 /// Estimate of a run, from runs of samples: the same with fewer points.
 struct RunEstimate {
@@ -36,13 +37,13 @@ struct ReducedRun {
 };
 
 /// Runs a sample; nothing where such wide points cannot carry it. Throws plate::NumericalError, and what it likes where
-/// its points are those of the plan.
+/// its points are those of the case.
 using RunSample =
     std::function<std::optional<post::SampleRun>(const plate::UsualSolver& solver, const ReducedRun& reduced)>;
 
 /// Samples of up to 50,000 points, or of as many as it takes. Throws plate::Refused where a motion has too many steps,
 /// and what `run` throws where no sample can be had.
-RunEstimate estimate_cost(const RunPlan& plan, const RunSample& run);
+RunEstimate estimate_cost(const Case& c, const RunSample& run);
 
 /// Estimates the number of points of a plate without discretising it.
 double expected_points(const plate::Problem& problem);
@@ -54,11 +55,11 @@ plate::Discretization widened(plate::Discretization points, double wider);
 plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const ReducedRun& reduced,
                         bool grows);
 
-/// A sample that has been run, as far as its plan and summary tell.
-post::SampleRun sample_run(const RunPlan& sample, post::Summary summary, double wider);
+/// A sample that has been run, as far as its case and summary tell.
+post::SampleRun sample_run(const Case& c, post::Summary summary, double wider);
 
 /// Points, bonds, the way to the solution and time, in words.
-std::string to_text(const RunEstimate& run, const RunPlan& plan);
+std::string to_text(const RunEstimate& run, const Case& c);
 
 /// Estimated share of each process in a plate that several share, from its outline; the numbers are of the process that
 /// has the most.
@@ -82,7 +83,7 @@ struct SingleProcessRun {
   // of a step or an iteration: to each neighbour, and for each point whose values come to it
   double messages = 0, numbers = 0;
 };
-SingleProcessRun run_by_one(const RunEstimate& run, const RunPlan& plan);
+SingleProcessRun run_by_one(const RunEstimate& run, const Case& c);
 
 /// Peak memory of a process [bytes].
 double bytes_of_process(const ProcessesEstimate& processes, const SingleProcessRun& run);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cases/input/case_file.hpp"
 #include "cases/runs/cost_estimate.hpp"
-#include "cases/runs/run_plan.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
@@ -39,54 +39,54 @@ std::string error_in_twice_the_spacing(const plate::Problem& problem, int proces
 using Refuse = std::function<void(bool asked, const std::string& key, const std::string& why)>;
 
 /// Refuses windows wider than the region seen about a tip, which is as wide as the widest ring.
-void refuse_wide_windows(const RunPlan& plan, double seen, const Refuse& refuse) {
-  if (!plan.srif) return;
-  const double horizon = plan.problem.discretization.horizon();
-  refuse(plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
-  refuse(!plan.srif->window && plan.srif->window_horizons * horizon > seen, "srif.window_horizons",
+void refuse_wide_windows(const Case& c, double seen, const Refuse& refuse) {
+  if (!c.srif) return;
+  const double horizon = c.discretization.horizon();
+  refuse(c.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
+  refuse(!c.srif->window && c.srif->window_horizons * horizon > seen, "srif.window_horizons",
          "so wide a window cannot be seen");
 }
 
-void refuse_of_cells(const RunPlan& plan, const Refuse& refuse) {
-  refuse_wide_windows(plan, plate::widest_window(plan.problem), refuse);
+void refuse_of_cells(const Case& c, const Refuse& refuse) {
+  refuse_wide_windows(c, plate::widest_window(c), refuse);
 }
 
-void refuse_of_bonds(const RunPlan& plan, const Refuse& refuse) {
-  const auto& d = plan.problem.discretization;
-  refuse_wide_windows(plan, plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon(), refuse);
+void refuse_of_bonds(const Case& c, const Refuse& refuse) {
+  const auto& d = c.discretization;
+  refuse_wide_windows(c, plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon(), refuse);
 }
 
 }  // namespace
 
-std::vector<NotDistributable> not_for_processes(const RunPlan& plan, int processes) {
+std::vector<NotDistributable> not_for_processes(const Case& c, int processes) {
   std::vector<NotDistributable> result;
   const Refuse refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
-  const auto& d = plan.problem.discretization;
+  const auto& d = c.discretization;
   using enum plate::Analysis::Method;
-  const bool moves = plan.analysis.kind == plate::Analysis::Kind::dynamic;
-  refuse(plan.analysis.kind == plate::Analysis::Kind::harmonic, "analysis.kind", "\"harmonic\" cannot be run");
-  refuse(moves && plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
+  const bool moves = c.analysis.kind == plate::Analysis::Kind::dynamic;
+  refuse(c.analysis.kind == plate::Analysis::Kind::harmonic, "analysis.kind", "\"harmonic\" cannot be run");
+  refuse(moves && c.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
   constexpr double most_factorised = 1e6;  // points; MUMPS takes no more (plate/distributed)
-  refuse(plan.analysis.method == direct && expected_points(plan.problem) > most_factorised, "analysis.method",
+  refuse(c.analysis.method == direct && expected_points(c) > most_factorised, "analysis.method",
          "\"direct\" of so many points cannot be run");
-  refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
+  refuse(c.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
          "\"local\" cannot be made");
   const bool cells = d.formulation == &plate::galerkin;
   refuse(!cells && d.formulation != &plate::ordinary, "formulation", "only \"galerkin\" and \"ordinary\" can be run");
   refuse(d.boundary != plate::EdgeMethod::images, "discretization.boundary", "only \"images\" can be run");
-  for (std::size_t i = 0; i < plan.problem.supports.size(); ++i) {
-    const auto& one = plan.problem.supports[i];
+  for (std::size_t i = 0; i < c.supports.size(); ++i) {
+    const auto& one = c.supports[i];
     const auto key = "support[" + std::to_string(i) + "]";
     refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
   }
-  if (plan.srif && plan.srif->richardson && processes > 0)
-    if (auto error = error_in_twice_the_spacing(plan.problem, processes); !error.empty())
+  if (c.srif && c.srif->richardson && processes > 0)
+    if (auto error = error_in_twice_the_spacing(c, processes); !error.empty())
       result.push_back({"srif.richardson", std::move(error)});
-  refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
-  refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
-  (cells ? refuse_of_cells : refuse_of_bonds)(plan, refuse);
+  refuse(c.srif && c.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
+  refuse(c.srif && c.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
+  (cells ? refuse_of_cells : refuse_of_bonds)(c, refuse);
   return result;
 }
 

@@ -1,9 +1,8 @@
-#include "cases/runs/load_cases_run.hpp"
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <set>
 
+#include "cases/runs/analyses.hpp"
 #include "cases/runs/distributed_run.hpp"
 #include "cases/runs/outputs.hpp"
 #include "fracture/growth/distributed_growth.hpp"
@@ -58,8 +57,7 @@ double largest_deflection(const post::LoadCaseSummary& one) {
 /// Load cases and combinations as they are found.
 class LoadCases : public PlateAnalysis {
 public:
-  LoadCases(const ValidatedPlate& ready, Outputs& outputs, const post::OtherFactors& others)
-      : PlateAnalysis(ready, outputs), others_(others) {}
+  LoadCases(const ValidatedPlate& ready, Outputs& outputs) : PlateAnalysis(ready, outputs) {}
 
   void solve() override;
   void finish() override;
@@ -71,7 +69,6 @@ private:
   std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
   std::vector<std::string> warnings() const;
 
-  const post::OtherFactors& others_;
   std::vector<post::LoadCaseSummary> found_;
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
   std::vector<std::string> warnings_;
@@ -100,13 +97,15 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
     std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
     one.reactions = reactions.summary();
   }
-  if (plan().srif)
-    one.srif = fracture::of_all(plate_, post::srifs(plate_, *plan().srif, ready_.tip_methods, strained, true, &heat));
-  others_.widen_row(found_.size(), one.srif, plate_.section().thickness);
+  if (content().srif)
+    one.srif =
+        fracture::of_all(plate_, post::srifs(plate_, *content().srif, ready_.tip_methods, strained, true, &heat));
+  ready_.other_factors.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
-  for (const auto& srif : one.srif) one.faces.push_back(post::at_faces(srif, plate_.section(), plan().srif->toughness));
+  for (const auto& srif : one.srif)
+    one.faces.push_back(post::at_faces(srif, plate_.section(), content().srif->toughness));
   post::Extremes extremes(plate_);
   extremes.row(now);
   if (outputs_.takes_frames()) {
@@ -164,8 +163,8 @@ std::vector<std::string> LoadCases::warnings() const {
 void LoadCases::solve() {
   auto& summary = this->summary();
   const auto& problem = plate_.problem();
-  const auto& analysis = plan().analysis;
-  post::Progress progress(plan().quiet, "load cases");
+  const auto& analysis = content().analysis;
+  post::Progress progress(quiet(), "load cases");
   plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
   std::vector<LoadCaseState> cases;
   plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
@@ -248,7 +247,7 @@ void LoadCases::finish() {
   auto& recorder = outputs_.recorder();
   auto& summary = this->summary();
   summary.envelope = post::envelope(found_);
-  if (plan().srif) {
+  if (content().srif) {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
     const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
     for (auto& line : post::warnings_about_faces(post::face_overlaps(srifs_), section, crack, named))
@@ -264,7 +263,7 @@ void LoadCases::finish() {
   }
   const auto said = warnings();
   summary.load_cases = std::move(found_);
-  post::conclude(summary, {section, plan().srif, plan().si(), recorder.history(), {}, {}});
+  post::conclude(summary, {section, content().srif, content().si(), recorder.history(), {}, {}});
   outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
   outputs_.warn(said);
   outputs_.warn(warnings_);
@@ -272,9 +271,8 @@ void LoadCases::finish() {
 
 }  // namespace
 
-post::Summary run_load_cases(const ValidatedPlate& ready, Outputs& outputs, const post::OtherFactors& others) {
-  LoadCases analysis(ready, outputs, others);
-  return carry_out(analysis, outputs);
+std::unique_ptr<PlateAnalysis> load_cases(const ValidatedPlate& ready, Outputs& outputs) {
+  return std::make_unique<LoadCases>(ready, outputs);
 }
 
 }  // namespace cases

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cases/input/problems.hpp"
+#include "cases/runs/analyses.hpp"
 #include "cases/runs/distributed_run.hpp"
 #include "cases/runs/owned_mesh.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -17,11 +18,11 @@
 
 namespace cases {
 
-post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings) {
-  auto summary = post::about(plate, plan.analysis, {plan.srif.has_value(), plan.fields});
-  summary.title = plan.title;
-  summary.units = plan.units;
-  summary.formulation_reason = plan.formulation_reason;
+post::Summary about(const Case& c, const plate::Formulation& plate, std::vector<std::string> warnings) {
+  auto summary = post::about(plate, c.analysis, {c.srif.has_value(), c.output.vtk});
+  summary.title = c.title;
+  summary.units = c.units;
+  summary.formulation_reason = c.formulation_reason;
   summary.warnings = std::move(warnings);
   count_all(summary, plate);
   return summary;
@@ -47,7 +48,7 @@ std::vector<post::Probe> probes_of(const std::map<std::string, geometry::Point>&
 }
 
 Outputs::Outputs(const RunPlan& plan, post::Recorder recorder, plate::Stopwatch& stopwatch)
-    : plan_(plan), recorder_(std::move(recorder)), stopwatch_(stopwatch) {}
+    : plan_(plan), recorder_(std::move(recorder)), stopwatch_(stopwatch), factors_(plan.content.section.thickness) {}
 
 Outputs::~Outputs() = default;
 
@@ -58,9 +59,9 @@ void Outputs::warn(std::vector<std::string> warnings) {
 void Outputs::open(const plate::Formulation& plate) {
   place_probes(plate);
   if (!takes_frames()) return;
-  const auto mesh = recorder_.draws() || plan_.report ? plate.mesh() : post::points_of(plate);
+  const auto mesh = recorder_.draws() || plan_.reports() ? plate.mesh() : post::points_of(plate);
   drawing_ = owned_mesh(plate, mesh);
-  if (!drawing_ && plan_.report) pictures_.open(mesh);
+  if (!drawing_ && plan_.reports()) pictures_.open(mesh);
   recorder_.open(drawing_ ? drawing_->mesh() : mesh);
 }
 
@@ -77,7 +78,7 @@ void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::opt
                     velocity.cols() > 0 ? drawing_->own(velocity) : velocity);
     return;
   }
-  if (plan_.report) {
+  if (plan_.reports()) {
     if (mesh) pictures_.open(*mesh);
     pictures_.look(frame);
   }
@@ -121,14 +122,14 @@ void name_settings_by_keys(post::Summary& summary) {
 post::Summary Outputs::finish() {
   name_settings_by_keys(summary_);
   summary_ = recorder_.finish(std::move(summary_), stopwatch_);
-  if (plan_.report && recorder_.on_first_process())
-    post::write_report(*plan_.report, {plan_.problem, plan_.title, plan_.source, plan_.units, plan_.probes}, pictures_);
+  if (plan_.reports() && recorder_.on_first_process())
+    post::write_report(plan_.options.folder, reported(content()), pictures_);
   return summary_;
 }
 
 PlateAnalysis::PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs)
     : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
-  summary() = about(plan(), plate_, ready.warnings);
+  summary() = about(content(), plate_, ready.warnings);
   outputs.open(plate_);
 }
 

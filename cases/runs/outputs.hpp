@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "cases/input/case_file.hpp"
 #include "cases/runs/run_plan.hpp"
+#include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
 #include "post/files/summary.hpp"
 #include "post/report/pictures.hpp"
@@ -18,9 +20,10 @@ class Stopwatch;
 namespace cases {
 
 class OwnedMesh;
+struct ValidatedPlate;
 
 /// Summary of a run before it starts.
-post::Summary about(const RunPlan& plan, const plate::Formulation& plate, std::vector<std::string> warnings);
+post::Summary about(const Case& c, const plate::Formulation& plate, std::vector<std::string> warnings);
 
 /// Error with the message of `error`, the place of its point and, in a motion by steps, the ratio of its step to the
 /// stable one.
@@ -39,17 +42,20 @@ public:
   ~Outputs();
 
   const RunPlan& plan() const { return plan_; }
+  const Case& content() const { return plan_.content; }
   plate::Stopwatch& stopwatch() { return stopwatch_; }
   /// Tables of an analysis of its own, and the history so far.
   post::Recorder& recorder() { return recorder_; }
   post::Summary& summary() { return summary_; }
+  /// Intensity factors of one plate at all times.
+  post::FactorRows& factors() { return factors_; }
   void warn(std::vector<std::string> warnings);
 
   /// Draws and stores all frames with the cells and points of this plate, as far as they are wanted, and places the
   /// probes.
   void open(const plate::Formulation& plate);
   /// Places the probes on a plate that has new points.
-  void place_probes(const plate::Formulation& plate) { probes_ = probes_of(plan_.probes, plate); }
+  void place_probes(const plate::Formulation& plate) { probes_ = probes_of(content().output.probes, plate); }
   const std::vector<post::Probe>& probes() const { return probes_; }
   /// A row of history and probes.
   void row(const post::Sample& sample, const plate::Formulation& plate);
@@ -76,6 +82,7 @@ private:
   post::Recorder recorder_;
   plate::Stopwatch& stopwatch_;
   post::Summary summary_;
+  post::FactorRows factors_;
   std::vector<post::Probe> probes_;
   post::Pictures pictures_;             // for the report
   std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed
@@ -105,7 +112,8 @@ protected:
   /// Begins the summary, and opens the outputs. Both must outlive this.
   PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs);
 
-  const RunPlan& plan() const { return outputs_.plan(); }
+  const Case& content() const { return outputs_.content(); }
+  bool quiet() const { return outputs_.plan().options.quiet; }
   post::Summary& summary() { return outputs_.summary(); }
   plate::Stopwatch& stopwatch() { return outputs_.stopwatch(); }
 

@@ -28,17 +28,20 @@ post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& aske
 }
 
 QuasiStaticRun::QuasiStaticRun(const RunPlan& plan, plate::Discretised first)
-    : plan_(plan), growth_(*plan.growth), stopwatch_(first.stopwatch), warnings_(first.warnings) {
-  const auto& analysis = plan_.analysis;
-  const plate::StaticOptions statics{analysis.tolerance, analysis.max_iterations, {}};
+    : plan_(plan),
+      content_(plan.content),
+      growth_(*content_.growth),
+      stopwatch_(first.stopwatch),
+      warnings_(first.warnings) {
+  const auto& analysis = content_.analysis;
   if (growth_.by_bonds()) {
     start_ = std::move(first.plate);
-    bonds_ = std::make_unique<fracture::QuasiStaticBonds>(growth_, *start_, plan_.srif, statics);
+    bonds_ = std::make_unique<fracture::QuasiStaticBonds>(
+        growth_, *start_, content_.srif, plate::StaticOptions{analysis.tolerance, analysis.max_iterations, {}});
     model_ = bonds_.get();
   } else {
-    const fracture::StaticSolver solver{analysis.static_method(), analysis.preconditioner, statics};
-    tips_ = std::make_unique<fracture::GrowingPlate>(growth_, plan_.problem, std::move(first),
-                                                     factors_of_growth(plan_.srif), solver, stopwatch_);
+    tips_ = std::make_unique<fracture::GrowingPlate>(growth_, content_, std::move(first),
+                                                     factors_of_growth(content_.srif), analysis, stopwatch_);
     model_ = tips_.get();
   }
 }
@@ -46,7 +49,7 @@ QuasiStaticRun::QuasiStaticRun(const RunPlan& plan, plate::Discretised first)
 QuasiStaticRun::~QuasiStaticRun() = default;
 
 std::vector<geometry::Polyline> QuasiStaticRun::cracks() const {
-  return tips_ ? tips_->cracks() : plan_.problem.cracks;
+  return tips_ ? tips_->cracks() : content_.cracks;
 }
 
 post::Summary QuasiStaticRun::operator()(post::Recorder recorder, RunCheckpoints* checkpoints) {
@@ -56,7 +59,7 @@ post::Summary QuasiStaticRun::operator()(post::Recorder recorder, RunCheckpoints
 }
 
 void QuasiStaticRun::solve() {
-  post::Progress progress(plan_.quiet, "growth");
+  post::Progress progress(plan_.options.quiet, "growth");
   fracture::QuasiStaticLoad load(growth_.control);
   const auto see = [&](const fracture::Equilibrium& now) {
     stopwatch_.lap("solve");
@@ -163,14 +166,15 @@ void QuasiStaticRun::record() {
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
   if (solved && recorder.stores()) store();
-  if (tips_ || plan_.srif) recorder.table("srif", srifs_);
+  if (tips_ || content_.srif) recorder.table("srif", srifs_);
   if (!reactions_.empty()) recorder.table("reactions", reactions_.table());
   const auto& record = model_->record();
   recorder.table("growth", record.growth);
   recorder.table("tips", record.tips);
   recorder.table("cracks", record.crack_table());
   recorder.cracks(record.cracks, latest_);
-  if (recorder.plots()) recorder.picture("curves", post::picture_of_growth(plan_.title, record.growth, plan_.si()));
+  if (recorder.plots())
+    recorder.picture("curves", post::picture_of_growth(content_.title, record.growth, content_.si()));
 }
 
 void QuasiStaticRun::store() {
@@ -191,8 +195,8 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
   growth.lengths = model_->lengths();
   const auto& energies = outcome_.ledger;
   if (bonds_)
-    growth.spent = growth_.spent(energies.external_work - energies.strain, plan_.problem.section.thickness,
-                                 bonds_->grown_length());
+    growth.spent =
+        growth_.spent(energies.external_work - energies.strain, content_.section.thickness, bonds_->grown_length());
   return growth;
 }
 
@@ -206,22 +210,22 @@ void QuasiStaticRun::finish() {
                                     doubt_ >= 1 ? "100 % or more" : fmt::format("{:.0f} %", 100 * doubt_), doubtful_,
                                     model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
-  for (auto& one : model_->record().cut_places(plan_.problem)) warnings_.push_back(std::move(one));
+  for (auto& one : model_->record().cut_places(content_)) warnings_.push_back(std::move(one));
   const auto overlaps = post::face_overlaps(srifs_);
-  for (auto& one : post::warnings_about_faces(overlaps, plan_.problem.section, {},
+  for (auto& one : post::warnings_about_faces(overlaps, content_.section, {},
                                               [](double advance) { return fmt::format("advance {:g}", advance); }))
     warnings_.push_back(std::move(one));
   auto& summary = outputs_->summary();
-  if (solved) summary = about(plan_, model_->plate(), warnings_);
+  if (solved) summary = about(content_, model_->plate(), warnings_);
   summary.warnings = warnings_;
-  summary.title = plan_.title;
-  summary.units = plan_.units;
-  summary.formulation = plan_.problem.discretization.formulation->name;
-  summary.formulation_reason = plan_.formulation_reason;
+  summary.title = content_.title;
+  summary.units = content_.units;
+  summary.formulation = content_.discretization.formulation->name;
+  summary.formulation_reason = content_.formulation_reason;
   summary.analysis.kind = plate::Analysis::Kind::static_;
-  post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), plan_.analysis.tolerance);
+  post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), content_.analysis.tolerance);
   post::conclude(summary,
-                 {plan_.problem.section, plan_.srif, plan_.si(), outputs_->recorder().history(), reactions_, latest_});
+                 {content_.section, content_.srif, content_.si(), outputs_->recorder().history(), reactions_, latest_});
   summary.overlaps = overlaps;
   summary.growth = growth_summary();
   const auto& energies = outcome_.ledger;

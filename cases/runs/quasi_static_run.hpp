@@ -2,7 +2,6 @@
 #include "cases/runs/outputs.hpp"
 #include "fracture/growth/quasi_static_growth.hpp"
 #include "plate/formulation/discretised.hpp"
-#include "post/files/factor_rows.hpp"
 #include "post/report/reactions.hpp"
 
 namespace fracture {
@@ -21,7 +20,7 @@ post::SrifOptions factors_of_growth(const std::optional<post::SrifOptions>& aske
 /// A quasi-static growth, with the number of the advance in the place of time.
 class QuasiStaticRun : public RunningAnalysis {
 public:
-  /// `plan` has a growth. `first`: its problem with the cracks as they are at the start.
+  /// The case of `plan` has a growth. `first`: the plate with the cracks as they are at the start.
   QuasiStaticRun(const RunPlan& plan, plate::Discretised first);
   ~QuasiStaticRun() override;
 
@@ -50,6 +49,7 @@ private:
   post::GrowthSummary growth_summary() const;
 
   RunPlan plan_;
+  const Case& content_;
   const fracture::Growth& growth_;
   plate::Stopwatch stopwatch_;
   std::vector<std::string> warnings_;

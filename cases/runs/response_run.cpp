@@ -1,10 +1,9 @@
-#include "cases/runs/response_run.hpp"
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "cases/runs/analyses.hpp"
 #include "cases/runs/outputs.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
@@ -29,7 +28,7 @@ namespace {
 class ResponseRun : public PlateAnalysis {
 public:
   ResponseRun(const ValidatedPlate& ready, Outputs& outputs)
-      : PlateAnalysis(ready, outputs), reactions_(plate_, *plan().analysis.damping) {}
+      : PlateAnalysis(ready, outputs), reactions_(plate_, *content().analysis.damping) {}
 
   void solve() override;
   void finish() override;
@@ -49,7 +48,7 @@ private:
 };
 
 plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
-  const auto& analysis = plan().analysis;
+  const auto& analysis = content().analysis;
   auto load = plate::zero_forces(plate_.points());
   for (const auto& one : plate_.loads()) load += one.forces;
   plate::HarmonicOptions options;
@@ -66,8 +65,8 @@ plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
 }
 
 std::vector<post::Srif> ResponseRun::factors(const plate::State& state, const plate::Heat& heat) const {
-  if (!plan().srif) return {};
-  return post::srifs(plate_, *plan().srif, ready_.tip_methods, state, true, &heat);
+  if (!content().srif) return {};
+  return post::srifs(plate_, *content().srif, ready_.tip_methods, state, true, &heat);
 }
 
 /// The largest of w = A cos - B sin at any time.
@@ -108,12 +107,12 @@ void ResponseRun::draw_period(double frequency, const std::pair<plate::State, pl
 
 void ResponseRun::solve() {
   auto& summary = this->summary();
-  post::Progress progress(plan().quiet, "response");
+  post::Progress progress(quiet(), "response");
   const auto response = this->response(progress);
   const auto& frequencies = response.frequencies();
   stopwatch().lap("solve");
   summary.analysis.method = "lanczos";
-  summary.analysis.tolerance = plan().analysis.tolerance;
+  summary.analysis.tolerance = content().analysis.tolerance;
   summary.analysis.iterations = response.vectors();
   summary.analysis.residual = response.change();
   unknown_ = response.watched_change();
@@ -154,9 +153,8 @@ void ResponseRun::finish() {
 
 }  // namespace
 
-post::Summary run_response(const ValidatedPlate& ready, Outputs& outputs) {
-  ResponseRun analysis(ready, outputs);
-  return carry_out(analysis, outputs);
+std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Outputs& outputs) {
+  return std::make_unique<ResponseRun>(ready, outputs);
 }
 
 }  // namespace cases

@@ -26,11 +26,12 @@ Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::v
     : outputs_(outputs),
       plate_(plate),
       tip_methods_(methods),
-      factors_(plan().problem.section.thickness),
-      reactions_(plate, plan().analysis.rotary_inertia, plan().analysis.method == plate::Analysis::Method::lanczos,
-                 plan().analysis.damping.value_or(plate::Damping{}).mass),
+      factors_(outputs.factors()),
+      reactions_(plate, content().analysis.rotary_inertia,
+                 content().analysis.method == plate::Analysis::Method::lanczos,
+                 content().analysis.damping.value_or(plate::Damping{}).mass),
       extremes_(plate),
-      energy_balance_(plan().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {}
+      energy_balance_(content().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {}
 
 void Results::sample(const plate::Instant& now, bool last) {
   const auto heat = plate::heat_at(plate_, now.time);
@@ -40,7 +41,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   post::EnergyBalance::Terms terms{now.strain_energy + now.kinetic_energy + now.dissipated,
                                    now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
   row.discrete_energy = terms.discrete + now.potential;
-  if (plan().analysis.damping) row.dissipated_energy = now.dissipated;
+  if (content().analysis.damping) row.dissipated_energy = now.dissipated;
   if (now.contact_force) {
     const auto& contact_force = *now.contact_force;
     contact_forces_.rows.push_back({now.time, contact_force.place, contact_force.velocity, contact_force.force,
@@ -54,24 +55,25 @@ void Results::sample(const plate::Instant& now, bool last) {
   }
   outputs_.row(row, plate_);
   const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
-  if (plan().moves()) energy_balance_.check(terms, when);
-  if (plan().moves() && last) energy_balance_.check(terms, when);  // no further row looks back at this one
+  if (content().moves()) energy_balance_.check(terms, when);
+  if (content().moves() && last) energy_balance_.check(terms, when);  // no further row looks back at this one
   reactions_.add(now, growth_ ? growth_->plate() : plate_);
   if (!growth_) extremes_.row(now);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
     if (growth_) return fracture::of_all(plate_, growth_->factors(now.state));
-    if (!plan().srif || factors_.known()) return {};
-    return fracture::of_all(plate_, post::srifs(plate_, *plan().srif, tip_methods_, now.what_strains(), last, &heat));
+    if (!content().srif || factors_.known()) return {};
+    return fracture::of_all(plate_,
+                            post::srifs(plate_, *content().srif, tip_methods_, now.what_strains(), last, &heat));
   };
   factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
 
 void Results::frame(const plate::Instant& now) {
-  next_frame_ = plan().frames_every ? next_frame_ + *plan().frames_every : INFINITY;
+  next_frame_ = content().output.every ? next_frame_ + *content().output.every : INFINITY;
   if (!outputs_.takes_frames()) return;
   const auto& recorder = outputs_.recorder();
-  const bool of_mode = plan().analysis.kind == plate::Analysis::Kind::frequencies;
+  const bool of_mode = content().analysis.kind == plate::Analysis::Kind::frequencies;
   const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
   auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), !growth_, &heat);
   if (now.rest) frame.state = now.state.leftCols(frame.state.cols());
@@ -81,7 +83,7 @@ void Results::frame(const plate::Instant& now) {
     if (recorder.draws()) mesh = std::move(drawn);
   }
   if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
-  const bool rates = recorder.stores() && plan().moves();
+  const bool rates = recorder.stores() && content().moves();
   outputs_.frame(plate_, std::move(frame), std::move(mesh), rates ? now.velocity() : plate::no_state());
 }
 
@@ -117,9 +119,9 @@ post::Cracks Results::finish_growth() {
                                        outcome.largest_speed,
                                        outcome.broken,
                                        outcome.lengths};
-  outputs_.warn(fracture::warnings_about_spent_energy(*plan().growth, outcome, plan().problem.section, remedy()));
+  outputs_.warn(fracture::warnings_about_spent_energy(*content().growth, outcome, content().section, remedy()));
   outputs_.warn(fracture::warnings_about_directions(outcome, remedy()));
-  outputs_.warn(record.cut_places(plan().problem));
+  outputs_.warn(record.cut_places(content()));
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
   if (growth_->frozen_energy() > 0) summary.energy.emplace_back("frozen", growth_->frozen_energy());
   if (residual_) summary.energy.emplace_back("residual", *residual_);
@@ -127,7 +129,7 @@ post::Cracks Results::finish_growth() {
 }
 
 void Results::finish() {
-  const auto& section = plan().problem.section;
+  const auto& section = content().section;
   auto& recorder = outputs_.recorder();
   auto& summary = outputs_.summary();
   std::vector<post::FaceOverlaps> overlaps;
@@ -143,26 +145,25 @@ void Results::finish() {
   if (!reactions_.empty()) recorder.table("reactions", reactions_.table());
   if (!contact_forces_.rows.empty()) recorder.table("impact", contact_forces_);
   const auto& history = recorder.history();
-  if (plan().moves() && recorder.plots())
-    recorder.picture("curves",
-                     post::to_svg(post::curves_of_motion(plan().title, times_, factors_.rows(), history, plan().si())));
-  summary.accuracy = accuracy_;
+  if (content().moves() && recorder.plots())
+    recorder.picture("curves", post::to_svg(post::curves_of_motion(content().title, times_, factors_.rows(), history,
+                                                                   content().si())));
   summary.frequencies = frequencies_;
-  post::conclude(summary, {section, plan().srif, plan().si(), history, reactions_, factors_.last()});
+  post::conclude(summary, {section, content().srif, content().si(), history, reactions_, factors_.last()});
   if (!growth_)
     post::look_for_largest(summary, section, fracture::of_all(plate_, extremes_.found()), times_, factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
   outputs_.warn(post::left_out(plate_.tips(), tip_methods_));
   outputs_.warn(post::warnings_about_factors(summary.srif, factors_.largest(), section.thickness, remedy()));
-  outputs_.warn(factors_.warnings(plan().analysis.tolerance));
+  outputs_.warn(factors_.warnings(content().analysis.tolerance));
   outputs_.warn(post::tips_that_grow(summary));
-  outputs_.warn(post::sinking_supports(summary.reactions, plan().problem,
+  outputs_.warn(post::sinking_supports(summary.reactions, content(),
                                        section.thickness * summary.deflection_over_thickness.value_or(0)));
   outputs_.warn(post::warnings_about_faces(overlaps, section,
                                            growth_ ? std::function<std::size_t(std::size_t)>() : crack,
-                                           plan().moves() ? at_time : std::function<std::string(double)>()));
-  if (plan().moves()) summary.overlaps = std::move(overlaps);
+                                           content().moves() ? at_time : std::function<std::string(double)>()));
+  if (content().moves()) summary.overlaps = std::move(overlaps);
 }
 
 template <typename Archive>

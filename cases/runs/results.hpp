@@ -1,7 +1,6 @@
 #pragma once
 #include "cases/runs/outputs.hpp"
 #include "post/factors/tip_methods.hpp"
-#include "post/files/factor_rows.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/conclusion.hpp"
 #include "post/report/reactions.hpp"
@@ -25,11 +24,9 @@ public:
   Results(Outputs& outputs, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods);
 
   Outputs& outputs() { return outputs_; }
-  const RunPlan& plan() const { return outputs_.plan(); }
+  const Case& content() const { return outputs_.content(); }
   /// The growth of the run, which must outlive it.
   void grows(fracture::MovingGrowth& growth) { growth_ = &growth; }
-  /// Stores the summary of the search for the discretisation.
-  void found(post::AccuracySummary accuracy) { accuracy_ = std::move(accuracy); }
   post::FactorRows& factors() { return factors_; }
   post::ReactionRows& reactions() { return reactions_; }
 
@@ -65,14 +62,13 @@ private:
   Outputs& outputs_;
   const plate::Formulation& plate_;
   const std::vector<post::TipMethods>& tip_methods_;
-  post::FactorRows factors_;
+  post::FactorRows& factors_;
   post::ReactionRows reactions_;
   post::Extremes extremes_;
   post::EnergyBalance energy_balance_;
   post::Table contact_forces_{{"time", "position", "velocity", "force", "largest_force", "contact_time"}, {}};
   std::vector<double> times_;
   std::vector<post::Frequency> frequencies_;
-  std::optional<post::AccuracySummary> accuracy_;
   std::optional<double> residual_;  // of the energies of a growth
   double strain_energy_ = 0, external_work_ = 0, next_frame_ = 0;
   fracture::MovingGrowth* growth_ = nullptr;

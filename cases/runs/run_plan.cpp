@@ -1,12 +1,30 @@
 #include "cases/runs/run_plan.hpp"
 
+#include "cases/input/case_file.hpp"
+#include "plate/solve/motion/time_grid.hpp"
+#include "post/files/results_in_memory.hpp"
+#include "post/report/html_report.hpp"
+
 namespace cases {
 
-plate::GridOptions grid_options(const RunPlan& plan) {
+RunOptions RunOptions::part(const std::string& name) const {
+  if (in_memory) in_memory->parts[name].wants_fields = in_memory->wants_fields;
+  return {folder / name, quiet, in_memory ? &in_memory->parts[name] : nullptr, resume, communicator};
+}
+
+bool RunPlan::reports() const {
+  return !options.in_memory && content.output.reports();
+}
+
+post::ReportedCase reported(const Case& c) {
+  return {c, c.title, c.source, c.units, c.output.probes};
+}
+
+plate::GridOptions grid_options(const Case& c) {
   // edges that a crack leaves at an angle to the lattice are a little stiffer than those of the start, families that
   // bonds leave one by one by 1.3 at most (measured where a plate fell to pieces)
-  const double most = !plan.growth ? 1.0 : plan.growth->by_bonds() ? 0.8 : 0.9;
-  return {plan.analysis.duration, plan.analysis.time_step, plan.rows_every, plan.analysis.safety, most};
+  const double most = !c.growth ? 1.0 : c.growth->by_bonds() ? 0.8 : 0.9;
+  return {c.analysis, c.output.history_every, most};
 }
 
 }  // namespace cases

@@ -1,62 +1,47 @@
 #pragma once
 #include <filesystem>
-#include <map>
-#include <optional>
+#include <string>
 
-#include "fracture/growth/growth.hpp"
-#include "plate/formulation/discretised.hpp"
-#include "plate/formulation/formulation.hpp"
-#include "plate/solve/analysis.hpp"
-#include "plate/solve/motion/lanczos_motion.hpp"
-#include "plate/solve/motion/time_grid.hpp"
-#include "plate/solve/statics.hpp"
-#include "post/factors/srif.hpp"
-#include "post/factors/tip_methods.hpp"
+#include "plate/model/point_map.hpp"
 
 namespace plate {
-struct Problem;
+struct GridOptions;
 }
+
+namespace post {
+struct ReportedCase;
+struct ResultsInMemory;
+}  // namespace post
 
 namespace cases {
 
-/// Subject of a run, and the results wanted of it. All that it refers to must outlive it.
-struct RunPlan {
-  const plate::Problem& problem;
-  const plate::Analysis& analysis;
-  const std::optional<fracture::Growth>& growth;
-  const std::optional<post::SrifOptions>& srif;  // where intensity factors are wanted
-  const std::map<std::string, geometry::Point>& probes;
-  std::string title, source, units;
-  std::string formulation_reason;               // why the formulation is what it is
-  std::optional<double> frames_every;           // in motion; absent: first and last only
-  std::optional<double> rows_every;             // in motion; absent: duration / 400
-  bool fields = true, states = true;            // for ParaView, to go on from
-  std::optional<std::filesystem::path> report;  // the folder of report.html, where one is wanted
-  bool quiet = false;                           // no progress
+struct Case;
 
-  bool grows_at_rest() const { return growth && analysis.kind == plate::Analysis::Kind::static_; }
-  bool moves() const { return analysis.kind == plate::Analysis::Kind::dynamic; }
-  bool si() const { return units == "SI"; }
+/// Options of a run beside its case, as the command line gives them.
+struct RunOptions {
+  std::filesystem::path folder;                // results go here; made if it does not exist
+  bool quiet = false;                          // no progress
+  post::ResultsInMemory* in_memory = nullptr;  // results go here instead, and no file is written
+  bool resume = false;                         // goes on from what an earlier run has kept in the folder
+  const plate::Communicator* communicator = &plate::single_process();
+
+  /// Options of a run that belongs to this one.
+  RunOptions part(const std::string& name) const;
 };
+
+/// Plan of a run: its case, which must outlive it, and its options.
+struct RunPlan {
+  const Case& content;
+  RunOptions options = {};
+
+  /// True where report.html is wanted in the folder.
+  bool reports() const;
+};
+
+/// Data of a case that its report shows.
+post::ReportedCase reported(const Case& c);
 
 /// Options for the steps of a motion: growth keeps a distance from the stable one.
-plate::GridOptions grid_options(const RunPlan& plan);
-
-/// A plate with all that can be refused of its run behind it: nothing has been written yet.
-struct ValidatedPlate {
-  struct Steps {
-    double limit;
-    plate::TimeGrid grid;
-  };
-  plate::Stopwatch stopwatch;
-  std::unique_ptr<plate::Formulation> plate;
-  std::vector<std::string> warnings;
-  std::vector<post::TipMethods> tip_methods;
-  std::optional<Steps> steps;  // of a motion; without a limit where it takes no steps but rows
-  plate::BeginOfMotion begin;
-  // of a plate that has been solved already:
-  std::optional<plate::StaticResult> solution;
-  std::optional<plate::LanczosMotion> motion;
-};
+plate::GridOptions grid_options(const Case& c);
 
 }  // namespace cases

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 #include <set>
 
-#include "cases/driver/case_plan.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/input/keys.hpp"
-#include "cases/runs/run_plan.hpp"
 #include "cases/studies/orders.hpp"
 #include "geometry/shape/outline.hpp"
 #include "plate/model/errors.hpp"
@@ -20,30 +18,29 @@ namespace cases {
 namespace {
 
 /// Reason why the run does not have a quantity of the whole plate; empty where it has.
-std::string lacking_whole(const RunPlan& plan, const std::string& name) {
-  const bool modes = plan.analysis.kind == plate::Analysis::Kind::frequencies;
+std::string lacking_whole(const Case& c, const std::string& name) {
+  const bool modes = c.analysis.kind == plate::Analysis::Kind::frequencies;
   if (name == "frequency") return modes ? "" : "the case has no frequencies";
-  if (!plan.problem.load_cases.empty()) return "the case has load cases: envelope.csv and srif.csv have their factors";
+  if (!c.load_cases.empty()) return "the case has load cases: envelope.csv and srif.csv have their factors";
   if (modes) return "the case has frequencies only";
-  if (plan.analysis.kind == plate::Analysis::Kind::harmonic)
+  if (c.analysis.kind == plate::Analysis::Kind::harmonic)
     return "the case has a response over frequencies: response.csv has it";
-  if (name.ends_with("_peak") && (!plan.moves() || plan.growth))
-    return "peaks in time are of dynamic cases without growth";
-  if (name == "crack_length" && !plan.growth) return "the case has no [growth]";
-  if (name == "largest_load_factor" && !plan.grows_at_rest()) return "the case has no quasi-static growth";
+  if (name.ends_with("_peak") && (!c.moves() || c.growth)) return "peaks in time are of dynamic cases without growth";
+  if (name == "crack_length" && !c.growth) return "the case has no [growth]";
+  if (name == "largest_load_factor" && !c.grows_at_rest()) return "the case has no quasi-static growth";
   return "";
 }
 
 }  // namespace
 
-std::string lacking(const RunPlan& plan, const post::Quantity& quantity) {
-  if (auto why = lacking_whole(plan, quantity.name); !why.empty()) return why;
-  if (quantity.probe && !plan.probes.contains(*quantity.probe))
+std::string lacking(const Case& c, const post::Quantity& quantity) {
+  if (auto why = lacking_whole(c, quantity.name); !why.empty()) return why;
+  if (quantity.probe && !c.output.probes.contains(*quantity.probe))
     return fmt::format("the case has no probe \"{}\"", *quantity.probe);
   if (!quantity.tip) return "";
-  if (!plan.srif) return "the case has no [srif]";
-  if (quantity.name.starts_with('F') && !plan.srif->normalize) return "the case has no srif.normalize";
-  const auto tips = geometry::tips(plate::crack_paths(plan.problem)).size();
+  if (!c.srif) return "the case has no [srif]";
+  if (quantity.name.starts_with('F') && !c.srif->normalize) return "the case has no srif.normalize";
+  const auto tips = geometry::tips(plate::crack_paths(c)).size();
   return *quantity.tip < tips ? "" : fmt::format("the case has {} crack tips, counted from 0", tips);
 }
 
@@ -230,11 +227,11 @@ private:
       }
       return;
     }
-    const auto plan = plan_of(run.file.content, {});
+    const Case& c = run.file.content;
     std::vector<post::Quantity> listed;
     for (std::size_t i = 0; i < study_.quantities.size(); ++i) {
       const auto& quantity = study_.quantities[i].quantity;
-      const auto key = element("quantities", i), lack = lacking(plan, quantity);
+      const auto key = element("quantities", i), lack = lacking(c, quantity);
       if (lack.empty())
         listed.push_back(quantity);
       else
@@ -242,8 +239,8 @@ private:
     }
     run.wanted = wanted(listed, study_.references, study_.axis_names(), run.labels, [&](std::size_t i, bool needed) {
       const auto& reference = study_.references[i];
-      const std::string key = element("reference", i), lack = lacking(plan, reference.quantity);
-      const bool is_static = run.file.content.analysis.kind == Analysis::Kind::static_;
+      const std::string key = element("reference", i), lack = lacking(c, reference.quantity);
+      const bool is_static = c.analysis.kind == Analysis::Kind::static_;
       const bool is_curve = std::holds_alternative<KnownCurve>(reference.known);
       if (needed && !lack.empty()) report_error({reading_.found().place(key), key, lack}, run);
       if (needed && is_curve && !post::has_history(reference.quantity.name))

@@ -11,10 +11,8 @@ struct Quantity;
 
 namespace cases {
 
-struct RunPlan;
-
 /// Reason why a run has no such quantity; empty where it has.
-std::string lacking(const RunPlan& plan, const post::Quantity& quantity);
+std::string lacking(const Case& c, const post::Quantity& quantity);
 
 /// Run of a study: one point of every axis.
 struct StudyRun {

@@ -9,6 +9,7 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/analysis.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
@@ -60,14 +61,14 @@ LoadedTip loaded(const geometry::Tip& tip, const post::Srif& srif, const std::ve
 }  // namespace
 
 GrowingPlate::GrowingPlate(const Growth& growth, const plate::Problem& problem, plate::Discretised first,
-                           post::SrifOptions factors, StaticSolver solver, plate::Stopwatch& stopwatch)
+                           post::SrifOptions factors, const plate::Analysis& analysis, plate::Stopwatch& stopwatch)
     : QuasiStaticTips(growth, problem.section, problem.outline, problem.discretization.spacing_at_tips(),
                       problem.cracks),
       problem_(problem),
       communicator_(first.plate->communicator()),
       first_(std::move(first)),
       options_of_factors_(std::move(factors)),
-      solver_(std::move(solver)),
+      analysis_(analysis),
       stopwatch_(stopwatch),
       start_{problem.cracks, first_->plate->cut()} {}
 
@@ -125,13 +126,12 @@ LoadedPlate GrowingPlate::full_load(const std::vector<geometry::Polyline>& crack
 
 void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMethods>& methods) {
   const plate::Formulation& plate = *found.plate;
-  auto solved = plate::solve_static(plate, plate::acting_load(plate), solver_.method, solver_.preconditioning,
-                                    solver_.options, plate::total_lift(plate));
+  auto solved = plate::static_solution(plate, analysis_, {analysis_.tolerance, analysis_.max_iterations, {}});
   stopwatch_.lap("solve");
   auto& solution = solved.solution;
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", solved.method,
-                                            solution.stop_reason, solution.residual, solver_.options.tolerance));
+                                            solution.stop_reason, solution.residual, analysis_.tolerance));
   post::require_finite(solution.state, "in equilibrium", plate);
   const auto heat = plate::heat_of(plate, 1);
   auto factors = of_all(plate, post::srifs(plate, options_of_factors_, methods, solved.what_strains(), true, &heat));

@@ -7,20 +7,14 @@
 
 namespace fracture {
 
-/// Method that finds the states between advances.
-struct StaticSolver {
-  plate::StaticMethod method;
-  plate::Preconditioning preconditioning;
-  plate::StaticOptions options;
-};
-
 /// The plate of a problem, discretised and solved anew with every length of its cracks.
 class GrowingPlate : public QuasiStaticTips {
 public:
   /// `first`: the problem with its cracks as they are at the start. `factors`: whose methods give the energy release
-  /// rate. Seconds go to `stopwatch`. All references must outlive this.
+  /// rate. `analysis`: by which states between advances are found. Seconds go to `stopwatch`. All references must
+  /// outlive this.
   GrowingPlate(const Growth& growth, const plate::Problem& problem, plate::Discretised first, post::SrifOptions factors,
-               StaticSolver solver, plate::Stopwatch& stopwatch);
+               const plate::Analysis& analysis, plate::Stopwatch& stopwatch);
 
   /// Makes the last solution the one that the accessors return, then chooses the advance.
   void choose(const Equilibrium& state) override;
@@ -49,7 +43,7 @@ private:
   const plate::Communicator& communicator_;
   std::optional<plate::Discretised> first_;
   post::SrifOptions options_of_factors_;
-  StaticSolver solver_;
+  const plate::Analysis& analysis_;
   plate::Stopwatch& stopwatch_;
   plate::StartOfCracks start_;
   std::optional<Solved> latest_;  // last; it may be a trial, or be followed by a failure

@@ -19,7 +19,7 @@ using geometry::Point;
 
 bool SupportOffsets::moves(const SupportMotion& motion, const Side& side) const {
   const auto number = holder(boundary_->holders, side.name);
-  return number < boundary_->holders.size() && boundary_->holders[number].support == motion.support;
+  return number < boundary_->holders.size() && boundary_->holders[number].support == motion.settlement.support;
 }
 
 PointValues SupportOffsets::at(const SupportMotion& motion, const Point& lattice, const Side& side) const {
@@ -57,7 +57,7 @@ SupportOffsets::Offsets SupportOffsets::of_corner(std::uint32_t image, std::uint
 SupportOffsets::Offsets SupportOffsets::inside(std::size_t support, const Point& x, std::uint32_t component) const {
   Offsets result;
   for (const auto& motion : motions_)
-    if (motion.support == support) result.push_back({motion.load, motion.at(x)[component]});
+    if (motion.settlement.support == support) result.push_back({motion.load, motion.at(x)[component]});
   return result;
 }
 

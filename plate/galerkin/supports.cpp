@@ -153,7 +153,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
     const auto& who = result.holders[by];
     Holding holding{who.kind, by, {along.y(), -along.x()}, round.contains(who.name), {}};
     for (const auto& motion : motions)
-      if (motion.support == who.support) holding.motions.push_back(&motion);
+      if (motion.settlement.support == who.support) holding.motions.push_back(&motion);
     for (const auto k : {border.from, border.to}) hold(held[k], holding, cells.positions[k]);
   }
   for (const auto& [k, what] : held) {

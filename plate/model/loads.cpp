@@ -310,20 +310,15 @@ double PressureTable::operator()(const Point& x) const {
                     s * t * at(i + 1, j + 1));
 }
 
-const std::array<std::string, std::variant_size_v<Load::Action>> Load::names{
-    "pressure", "edge_moment", "edge_shear", "point_force", "line_load", "temperature", "settlement"};
-
-const std::string& Load::name() const {
-  return names[action.index()];
+std::string Load::name() const {
+  return std::visit([](const auto& one) { return one.name; }, action);
 }
 
 namespace {
 
-template <std::size_t... kinds>
-Load::Action made_of(std::size_t number, std::index_sequence<kinds...>) {
-  Load::Action result;
-  ((number == kinds ? void(result.emplace<kinds>()) : void()), ...);
-  return result;
+template <class... Actions>
+std::vector<Load::Action> one_of_each(const std::variant<Actions...>&) {
+  return {Actions{}...};
 }
 
 /// A member of what acts, as `member` reads it, or else `nothing`.
@@ -341,8 +336,8 @@ const T& member_or(const Load::Action& action, const Member& member, const T& no
 
 }  // namespace
 
-Load::Action Load::made(std::size_t number) {
-  return made_of(number, std::make_index_sequence<std::variant_size_v<Action>>());
+std::vector<Load::Action> Load::kinds() {
+  return one_of_each(Action());
 }
 
 const std::vector<std::string>& Load::edges() const {

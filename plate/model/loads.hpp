@@ -47,6 +47,7 @@ private:
 /// Force along +w per area: a value at `from` that grows by a gradient, a formula, a table, a fluid up to a level, or
 /// own weight; on the whole plate, a part of it, or a part that moves along a path.
 struct Pressure {
+  static constexpr const char* name = "pressure";
   double value = 0;                          // [force/length^2]; of a fluid its unit weight [force/length^3]
   geometry::Point gradient{0, 0};            // [force/length^3]
   geometry::Point from{0, 0};                // [length]
@@ -71,6 +72,7 @@ struct Pressure {
 
 /// Moments on edges; positive is tension on the z > 0 face.
 struct EdgeMoment {
+  static constexpr const char* name = "edge_moment";
   std::vector<std::string> edges = {};
   double value = 0;                                  // normal moment M_n per length [force]
   double twist = 0;                                  // M_ns, s = normal turned by +90 degrees [force]
@@ -82,12 +84,14 @@ struct EdgeMoment {
 
 /// Shear force along +w on edges [force/length].
 struct EdgeShear {
+  static constexpr const char* name = "edge_shear";
   std::vector<std::string> edges = {};
   double value = 0;
 };
 
 /// Force along +w at a point, or at one that moves along a path.
 struct PointForce {
+  static constexpr const char* name = "point_force";
   geometry::Point position{0, 0};  // [length]
   double value = 0;                // [force]
   geometry::Polyline path = {};
@@ -96,18 +100,21 @@ struct PointForce {
 
 /// Force along +w per length of a line [force/length].
 struct LineLoad {
+  static constexpr const char* name = "line_load";
   geometry::Polyline along = {};
   double value = 0;
 };
 
 /// Temperature of the face z > 0 less that of the other: a value or a formula.
 struct Temperature {
+  static constexpr const char* name = "temperature";
   double value = 0;
   Formula formula = {};
 };
 
 /// Motion of a support as a rigid body, and of every edge about itself.
 struct Settlement {
+  static constexpr const char* name = "settlement";
   std::size_t support = 0;                  // its number
   double value = 0;                         // w at `from` [length]
   geometry::Point slope{0, 0}, from{0, 0};  // of the support's w
@@ -129,12 +136,10 @@ struct Load {
     return std::get_if<T>(&action);
   }
 
-  /// Name of what acts, as in `names`.
-  const std::string& name() const;
-  /// "pressure", "edge_moment", ..., in the order of the variant.
-  static const std::array<std::string, std::variant_size_v<Action>> names;
-  /// Makes what acts from the number of its name, with nothing given.
-  static Action made(std::size_t number);
+  /// Name of what acts.
+  std::string name() const;
+  /// One action of each kind, with nothing given.
+  static std::vector<Action> kinds();
 
   // Members that loads of several kinds have; empty, or nothing, where this one does not.
   const std::vector<std::string>& edges() const;

@@ -6,7 +6,6 @@
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/model/load_integration.hpp"
-#include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/state.hpp"
 
@@ -229,18 +228,18 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
 
 /// theta_x = psi_y, theta_y = -psi_x
 PointValues SupportMotion::at(const Point& x) const {
-  return {deflection + slope.dot(x - from), slope.y(), -slope.x()};
+  const auto& [support, value, slope, from, rotation] = settlement;
+  return {value + slope.dot(x - from), slope.y(), -slope.x()};
 }
 
 PointValues SupportMotion::at(const Point& x, const Point& outward, double beyond) const {
-  return at(x) + rotation * PointValues(beyond, outward.y(), -outward.x());
+  return at(x) + settlement.rotation * PointValues(beyond, outward.y(), -outward.x());
 }
 
 std::vector<SupportMotion> support_motions(const Problem& problem) {
   std::vector<SupportMotion> result;
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    if (const auto* moved = problem.loads[i].as<Settlement>())
-      result.push_back({i, moved->support, moved->value, moved->slope, moved->from, moved->rotation});
+    if (const auto* settlement = problem.loads[i].as<Settlement>()) result.push_back({i, *settlement});
   return result;
 }
 

@@ -7,7 +7,7 @@
 
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/outline.hpp"
-#include "plate/model/history.hpp"
+#include "plate/model/loads.hpp"
 #include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 
@@ -18,7 +18,6 @@ struct Tessellation;
 
 namespace plate {
 
-struct Load;
 struct Problem;
 struct Section;
 
@@ -79,13 +78,10 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const PointMap& map = {});
 
-/// Motion of a support under a settlement: as a rigid body, and every edge about itself.
+/// Motion of a support under the settlement that a load is.
 struct SupportMotion {
-  std::size_t load, support;  // their numbers
-
-  double deflection = 0;  // w of the body [length] at `from`
-  geometry::Point slope{0, 0}, from{0, 0};
-  double rotation = 0;  // psi_n of an edge, n its outward normal
+  std::size_t load;  // its number
+  Settlement settlement;
 
   /// w, theta_x, theta_y of the body at a place.
   PointValues at(const geometry::Point& x) const;

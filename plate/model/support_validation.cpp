@@ -196,7 +196,7 @@ Kept kept(const Problem& problem, std::size_t number, const Place& at, const Tog
   Kept result;
   PointValues body(0, 0, 0);
   for (const auto& motion : motions)
-    if (motion.support == number) body += motion.at(at.x, at.normal, 0);
+    if (motion.settlement.support == number) body += motion.at(at.x, at.normal, 0);
   const Point psi(-body[2], body[1]);
   const auto add = [&](const Point& d) { result.slopes.emplace_back(d, d.dot(psi)); };
   const bool hard = support.kind == simply_supported_hard || support.kind == simply_supported_hard_layer;
@@ -224,13 +224,13 @@ bool apart(const Kept& one, const Kept& other, double deflection, double slope) 
 std::string torn(const Problem& problem, const Together& motions) {
   const auto [low, high] = geometry::bounding_box(problem.outline);
   double slope = 0, deflection = 0;  // at most, anywhere
-  for (const auto& one : motions) {
+  for (const auto& [load, one] : motions) {
     const double reach = std::max((one.from - low).norm(), (one.from - high).norm()) + (high - low).norm();
     slope += one.slope.norm() + std::abs(one.rotation);
-    deflection += std::abs(one.deflection) + one.slope.norm() * reach;
+    deflection += std::abs(one.value) + one.slope.norm() * reach;
   }
   const auto moves = [&](std::size_t i) {
-    return std::ranges::find(motions, i, &SupportMotion::support) != motions.end();
+    return std::ranges::any_of(motions, [i](const auto& motion) { return motion.settlement.support == i; });
   };
   const auto& supports = problem.supports;
   for (std::size_t i = 0; i < supports.size(); ++i)

@@ -64,16 +64,12 @@ void MemorySink::tables(const Tables& tables) {
 
 Folder::Folder(FolderOptions options, std::optional<FolderLock> lock)
     : options_(std::move(options)), lock_(std::move(lock)) {
-  if (lock_) write_atomically(options_.folder / "case.resolved.toml", options_.resolved);
+  if (lock_) write_atomically(options_.folder / "case.resolved.toml", options_.state.resolved_case);
 }
 
 void Folder::open(const Mesh& mesh) {
   if (options_.vtk) vtk_.emplace(options_.folder, mesh, *options_.communicator);
-  if (options_.hdf5) hdf5_.emplace(state_file(options_.velocities), mesh, *options_.communicator);
-}
-
-StateFile::Options Folder::state_file(bool velocities) const {
-  return {options_.folder / "state.h5", options_.resolved, options_.version, velocities, options_.goes_on};
+  if (options_.hdf5) hdf5_.emplace(options_.state, mesh, *options_.communicator);
 }
 
 /// Ranks write together, each from one thread: only a single process goes on meanwhile.
@@ -85,7 +81,7 @@ void Folder::frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity)
   if (mesh && vtk_) vtk_->remesh(std::move(*mesh));
   auto write = [this, frame = std::move(frame), velocity = std::move(velocity)] {
     if (vtk_) vtk_->write(frame);
-    if (hdf5_) hdf5_->write(frame, options_.velocities ? &velocity : nullptr);
+    if (hdf5_) hdf5_->write(frame, options_.state.velocities ? &velocity : nullptr);
   };
   if (options_.communicator->distributed())
     write();
@@ -96,8 +92,8 @@ void Folder::frame(Frame frame, std::optional<Mesh> mesh, plate::State velocity)
 void Folder::final_state(const Mesh& mesh, const Frame& frame) {
   wait_for_frame();
   if (!options_.hdf5) return;
-  auto options = state_file(false);
-  options.goes_on = false;
+  auto options = options_.state;
+  options.velocities = options.goes_on = false;
   hdf5_.emplace(std::move(options), mesh, *options_.communicator);
   hdf5_->write(frame, nullptr);
 }

@@ -34,10 +34,8 @@ private:
 /// Options of the results that are written into a folder.
 struct FolderOptions {
   std::filesystem::path folder;
-  std::string resolved, version;  // the whole case as text; of the program
   bool vtk = true, hdf5 = true;
-  bool velocities = false;  // in state.h5
-  bool goes_on = false;     // where a run was ended
+  StateFile::Options state;  // of state.h5 there
   const plate::Communicator* communicator = &plate::single_process();
 };
 
@@ -64,7 +62,6 @@ public:
 
 private:
   void wait_for_frame();
-  StateFile::Options state_file(bool velocities) const;
 
   FolderOptions options_;
   std::optional<FolderLock> lock_;

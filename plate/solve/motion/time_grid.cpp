@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "plate/model/errors.hpp"
-#include "plate/model/numerical_method.hpp"
+#include "plate/solve/analysis.hpp"
 
 namespace plate {
 
@@ -34,7 +34,7 @@ void check_count(double duration, Subject subject, double time_step) {
 }
 
 TimeGrid given_steps(const GridOptions& options, double limit, double row) {
-  const double dt = *options.time_step, share = options.most;
+  const double dt = *options.analysis.time_step, share = options.most;
   if (dt > share * limit)
     refuse(Subject::time_step,
            share < 1
@@ -42,14 +42,14 @@ TimeGrid given_steps(const GridOptions& options, double limit, double row) {
                      "{:g} is above {:.6g}, {:g} of the stable limit {:.6g} of this plate: growth can make it stiffer",
                      dt, share * limit, share, limit)
                : fmt::format("{:g} is above the stable limit {:.6g} of this plate", dt, limit));
-  check_count(options.duration, Subject::time_step, dt);
-  return {dt, static_cast<std::size_t>(std::ceil(options.duration / dt - 1e-9)),
+  check_count(options.analysis.duration, Subject::time_step, dt);
+  return {dt, static_cast<std::size_t>(std::ceil(options.analysis.duration / dt - 1e-9)),
           static_cast<std::size_t>(std::clamp(std::round(row / dt), 1.0, most_steps))};
 }
 
 /// Time between rows.
 double row_of(const GridOptions& options) {
-  const double duration = options.duration, row = options.row.value_or(duration / 400);
+  const double duration = options.analysis.duration, row = options.row.value_or(duration / 400);
   if (!(duration / row <= most_rows))
     refuse(options.row ? Subject::rows : Subject::duration,
            fmt::format("a duration of {:g} in rows of {:g} is {:g} rows: at most {:g} can be kept", duration, row,
@@ -60,12 +60,12 @@ double row_of(const GridOptions& options) {
 }  // namespace
 
 TimeGrid row_grid(const GridOptions& options) {
-  const double duration = options.duration, rows = std::max(1.0, std::round(duration / row_of(options)));
+  const double duration = options.analysis.duration, rows = std::max(1.0, std::round(duration / row_of(options)));
   return {duration / rows, static_cast<std::size_t>(rows), 1};
 }
 
 TimeGrid time_grid(const GridOptions& options, double limit) {
-  const double duration = options.duration;
+  const double duration = options.analysis.duration;
   if (!(limit > 0) || !std::isfinite(limit))
     refuse(Subject::density,
            fmt::format(
@@ -73,10 +73,10 @@ TimeGrid time_grid(const GridOptions& options, double limit) {
                "choose other units",
                limit));
   const double row = row_of(options);
-  if (options.time_step) return given_steps(options, limit, row);
+  if (options.analysis.time_step) return given_steps(options, limit, row);
   // whole steps between rows, whole rows in the duration
   const double rows = std::max(1.0, std::round(duration / row)), between = duration / rows;
-  const double steps = std::max(1.0, std::ceil(between / (std::min(options.safety, options.most) * limit)));
+  const double steps = std::max(1.0, std::ceil(between / (std::min(options.analysis.safety, options.most) * limit)));
   check_count(duration, Subject::duration, between / steps);
   return {between / steps, static_cast<std::size_t>(rows * steps), static_cast<std::size_t>(steps)};
 }

@@ -7,6 +7,8 @@
 
 namespace plate {
 
+struct Analysis;
+
 /// Damping with these ratios alpha / 2 omega + beta omega / 2 of the critical damping at these two frequencies
 /// [1/time]. One of alpha and beta is negative where the ratios differ more than the frequencies allow.
 Damping damping_of(const std::array<double, 2>& ratios, const std::array<double, 2>& frequencies);
@@ -19,11 +21,9 @@ struct TimeGrid {
 
 /// Options of a time grid.
 struct GridOptions {
-  double duration;
-  std::optional<double> time_step;  // absent: from the limit
-  std::optional<double> row;        // time between rows; absent: duration / 400
-  double safety = 1;                // share of the stable step that is used ...
-  double most = 1;                  // ... and that may be used
+  const Analysis& analysis;
+  std::optional<double> row;  // time between rows; absent: duration / 400
+  double most = 1;            // share of the stable step that may be used
 };
 
 /// Steps that end exactly on the rows of history, none above `limit`. Throws Refused where more is asked for.

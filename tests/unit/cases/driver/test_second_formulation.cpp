@@ -1,8 +1,8 @@
 // A case that is run in both formulations of the plate.
 #include <nlohmann/json.hpp>
 
-#include "cases/driver/case_plan.hpp"
 #include "cases/driver/run.hpp"
+#include "cases/input/formulations.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "post/files/summary.hpp"

@@ -1,6 +1,5 @@
 #include "cases/studies/study.hpp"
 
-#include "cases/driver/case_plan.hpp"
 #include "post/report/quantity.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -11,7 +10,7 @@ namespace {
 std::string lack(const std::string& text, const post::Quantity& quantity,
                  const std::vector<std::string>& settings = {}) {
   const auto file = read(text, settings);
-  return cases::lacking(cases::plan_of(file.content, {}), quantity);
+  return cases::lacking(file.content, quantity);
 }
 
 const std::string with_factors = plain + "[srif]\n";

@@ -1,6 +1,5 @@
 #include "cases/runs/cost_estimate.hpp"
 
-#include "cases/driver/case_plan.hpp"
 #include "plate/model/errors.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
@@ -23,11 +22,11 @@ post::SampleRun sample(double spacing, double wider) {
 
 TEST_CASE("foretell: samples that points are too wide for are taken finer, and none at all is refused") {
   const auto file = read(plain, {"discretization.spacing=0.005"});
-  const auto plan = cases::plan_of(file.content, {});
+  const auto& c = file.content;
   for (const double widest : {100.0, 6.0}) {
     std::size_t runs = 0;
-    const auto told = cases::estimate_cost(
-        plan, [&](const auto&, const cases::ReducedRun& reduced) -> std::optional<post::SampleRun> {
+    const auto told =
+        cases::estimate_cost(c, [&](const auto&, const cases::ReducedRun& reduced) -> std::optional<post::SampleRun> {
           if (reduced.wider > widest) return {};
           ++runs;
           return sample(0.005, reduced.wider);
@@ -36,10 +35,10 @@ TEST_CASE("foretell: samples that points are too wide for are taken finer, and n
     CHECK(told.points == Approx(160000).epsilon(0.001));
     CHECK(told.bonds == Approx(12 * 160000).epsilon(0.001));
     CHECK(double(told.sample_points) >= 160000 / (widest * widest));
-    CHECK_THAT(cases::to_text(told, plan), Catch::Contains("points        160000"));
+    CHECK_THAT(cases::to_text(told, c), Catch::Contains("points        160000"));
   }
   const auto never = [](const auto&, const cases::ReducedRun&) { return std::optional<post::SampleRun>(); };
-  CHECK_THROWS_AS(cases::estimate_cost(plan, never), plate::Refused);
+  CHECK_THROWS_AS(cases::estimate_cost(c, never), plate::Refused);
 }
 
 TEST_CASE("foretell: a sample does less") {
@@ -63,15 +62,14 @@ TEST_CASE("foretell: a motion is sampled for so many steps that a coarse clock c
                                  "analysis={kind=\"dynamic\", duration=100, method=\"central_difference\"}"});
   constexpr double step = 1e-5, clock = 0.01;  // s
   double most = 0;
-  const auto told =
-      cases::estimate_cost(cases::plan_of(file.content, {}), [&](const auto&, const cases::ReducedRun& reduced) {
-        auto result = sample(0.05, reduced.wider);
-        result.summary.analysis.time_step_limit = 1e-3, result.summary.analysis.steps = std::size_t(reduced.steps);
-        const double seconds = clock * std::floor((0.013 + step * reduced.steps) / clock);
-        result.summary.seconds = {{"solve", seconds}, {"total", seconds}};
-        most = std::max(most, reduced.steps);
-        return std::optional(result);
-      });
+  const auto told = cases::estimate_cost(file.content, [&](const auto&, const cases::ReducedRun& reduced) {
+    auto result = sample(0.05, reduced.wider);
+    result.summary.analysis.time_step_limit = 1e-3, result.summary.analysis.steps = std::size_t(reduced.steps);
+    const double seconds = clock * std::floor((0.013 + step * reduced.steps) / clock);
+    result.summary.seconds = {{"solve", seconds}, {"total", seconds}};
+    most = std::max(most, reduced.steps);
+    return std::optional(result);
+  });
   CHECK(most > 0.1 / step);
   CHECK(told.whole.steps > 1e5);
   CHECK(told.costs.total() == Approx(step * told.whole.steps).epsilon(0.1));  // found: 0.98 of it

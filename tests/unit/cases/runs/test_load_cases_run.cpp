@@ -1,6 +1,4 @@
 // Load cases against runs of their own, combinations against runs of the combined loads.
-#include "cases/runs/load_cases_run.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>

@@ -3,9 +3,9 @@
 
 #include <mutex>
 
-#include "cases/driver/case_plan.hpp"
+#include "cases/runs/analyses.hpp"
 #include "cases/runs/checkpoints.hpp"
-#include "cases/runs/run_once.hpp"
+#include "cases/runs/outputs.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
@@ -45,13 +45,12 @@ Moved moved(cases::CaseFile file, const plate::Communicator& all, std::size_t st
   ready.steps = {limit, {0.9 * limit, steps, 5}};
   Moved result;
   plate::Stopwatch stopwatch;
-  cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &result.in_memory, false, &all}),
+  cases::Outputs outputs({file.content, {{}, true, &result.in_memory, false, &all}},
                          {std::make_unique<post::MemorySink>(result.in_memory), "", "", post::ProcessesOfRun(all)},
                          stopwatch);
-  cases::Results results(outputs, *ready.plate, ready.tip_methods);
   cases::RunCheckpoints checkpoints(post::Checkpoints(all, folder, "case"), 1e-9);
   result.went_on = checkpoints.find(result.refused);
-  result.summary = cases::run_once(ready, results, &checkpoints);
+  result.summary = cases::run(ready, outputs, &checkpoints);
   return result;
 }
 

@@ -1,6 +1,5 @@
 #include "cases/runs/outputs.hpp"
 
-#include "cases/driver/case_plan.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/interpolation.hpp"
@@ -49,8 +48,8 @@ TEST_CASE("a run that fails or is interrupted is written before that is thrown o
   const auto run = [&](std::function<void(post::Summary&)> work, const std::string& outcome) {
     post::ResultsInMemory written;
     plate::Stopwatch stopwatch;
-    cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &written}),
-                           {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
+    cases::Outputs outputs({file.content, {{}, true, &written}}, {std::make_unique<post::MemorySink>(written), "", ""},
+                           stopwatch);
     Told told(outputs, *plate, std::move(work));
     const bool interrupts = outcome == "interrupted";
     if (outcome == "done")
@@ -97,8 +96,8 @@ TEST_CASE("outputs: messages of a summary name settings by their keys") {
   const auto file = case_text::read(case_text::plain);
   post::ResultsInMemory written;
   plate::Stopwatch stopwatch;
-  cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &written}),
-                         {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
+  cases::Outputs outputs({file.content, {{}, true, &written}}, {std::make_unique<post::MemorySink>(written), "", ""},
+                         stopwatch);
   auto& summary = outputs.summary();
   summary.outcome = "set `spacing`", summary.warnings = {"set `tolerance`", "edge `a`"};
   summary.growth.emplace().outcome = "set `spacing`", summary.accuracy.emplace().ended_by = "no setting";

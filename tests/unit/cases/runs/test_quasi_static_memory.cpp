@@ -1,5 +1,4 @@
-#include "cases/driver/case_plan.hpp"
-#include "cases/driver/run.hpp"
+#include "cases/driver/recording.hpp"
 #include "cases/runs/quasi_static_run.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
@@ -11,9 +10,9 @@ namespace {
 /// Leaves the last checkpoint, as a run that was killed after it.
 std::size_t advances(const cases::CaseFile& file, const std::filesystem::path& folder, bool goes_on) {
   const cases::RunOptions options{folder, true, nullptr, goes_on};
-  auto recording = cases::recording_of(file.content, options);
+  auto recording = cases::recording({file.content, options});
   CHECK(recording.checkpoints->goes_on() == goes_on);
-  cases::QuasiStaticRun run(cases::plan_of(file.content, options), plate::discretise(file.content));
+  cases::QuasiStaticRun run({file.content, options}, plate::discretise(file.content));
   return run(std::move(recording.recorder), recording.checkpoints.get()).growth->advances;
 }
 

@@ -1,6 +1,5 @@
 #include "cases/runs/quasi_static_run.hpp"
 
-#include "cases/driver/case_plan.hpp"
 #include "geometry/shape/crack_path.hpp"
 #include "post/files/sinks.hpp"
 #include "tests/unit/cases/case_text.hpp"
@@ -19,7 +18,7 @@ TEST_CASE("quasi-static run: without factors of its own, those that give the ene
 TEST_CASE("quasi-static run: a row for every advance, longer cracks in the end") {
   const auto file = read(plain, {"growth={fracture_energy=1,max_advances=1}"});
   post::ResultsInMemory in_memory;
-  cases::QuasiStaticRun run(cases::plan_of(file.content, {{}, true, &in_memory}), plate::discretise(file.content));
+  cases::QuasiStaticRun run({file.content, {{}, true, &in_memory}}, plate::discretise(file.content));
   const auto summary = run({std::make_unique<post::MemorySink>(in_memory), "", ""}, nullptr);
   REQUIRE(summary.growth);
   CHECK(summary.growth->advances == 1);

@@ -1,6 +1,4 @@
 // A cracked plate that swings for ever: its slowest swing is its equilibrium, its swing in motion the same after long.
-#include "cases/runs/response_run.hpp"
-
 #include <fmt/format.h>
 
 #include <complex>

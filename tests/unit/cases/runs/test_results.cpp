@@ -1,6 +1,5 @@
 #include "cases/runs/results.hpp"
 
-#include "cases/driver/case_plan.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -15,8 +14,8 @@ TEST_CASE("results: an instant gives a row of history and of reactions, the larg
   const auto plate = plate::discretise(file.content).plate;
   post::ResultsInMemory written;
   plate::Stopwatch stopwatch;
-  cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &written}),
-                         {std::make_unique<post::MemorySink>(written), "", ""}, stopwatch);
+  cases::Outputs outputs({file.content, {{}, true, &written}}, {std::make_unique<post::MemorySink>(written), "", ""},
+                         stopwatch);
   const std::vector<post::TipMethods> none;
   cases::Results results(outputs, *plate, none);
   plate::State state = plate::State::Zero(3, Eigen::Index(plate->points()));

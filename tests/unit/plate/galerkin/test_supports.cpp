@@ -99,7 +99,7 @@ TEST_CASE("Galerkin supports: a small hole that is simply supported is free to t
 TEST_CASE("Galerkin supports: a corner of two edges that settle alike is moved once") {
   using enum SupportKind;
   const std::vector<double> areas(cells.positions.size(), 0.01);
-  const std::vector<SupportMotion> motions{{0, 0, 0.01}, {1, 1, 0.01}};
+  const std::vector<SupportMotion> motions{{0, {.value = 0.01}}, {1, {.support = 1, .value = 0.01}}};
   for (const auto first : {clamped, simply_supported, simply_supported_hard})
     for (const auto second : {clamped, simply_supported, simply_supported_hard}) {
       const auto boundary =

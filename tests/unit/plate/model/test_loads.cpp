@@ -1,5 +1,7 @@
 #include "plate/model/loads.hpp"
 
+#include <set>
+
 #include "tests/catch.hpp"
 
 using namespace plate;
@@ -20,18 +22,14 @@ std::vector<Load> all_kinds() {
           Load{Settlement{.support = 1, .value = 2, .slope = {3, 4}, .rotation = 5}}};
 }
 
-const std::string& name_of(std::size_t number) {
-  return Load::names[number];
-}
-
 }  // namespace
 
-TEST_CASE("loads: each kind is made by the number of its name, with nothing given") {
-  for (std::size_t number = 0; number < Load::names.size(); ++number) {
-    const Load load{Load::made(number)};
-    CAPTURE(name_of(number));
-    CHECK(load.action.index() == number);
-    CHECK(load.name() == name_of(number));
+TEST_CASE("loads: each kind has a name of its own, and nothing given at first") {
+  std::set<std::string> names;
+  for (const auto& action : Load::kinds()) {
+    const Load load{action};
+    CAPTURE(load.name());
+    CHECK(names.insert(load.name()).second);
     CHECK(load.edges().empty());
     CHECK(load.line().empty());
     CHECK(load.path().empty());
@@ -40,16 +38,16 @@ TEST_CASE("loads: each kind is made by the number of its name, with nothing give
     CHECK(load.point().has_value() == (load.name() == "point_force"));
     CHECK_FALSE(load.moves());
   }
+  CHECK(names.size() == std::variant_size_v<Load::Action>);
+  CHECK(Load{Settlement{}}.name() == "settlement");
 }
 
 TEST_CASE("loads: what several kinds have is empty where a kind has none") {
   const auto loads = all_kinds();
-  REQUIRE(loads.size() == Load::names.size());
-  for (std::size_t number = 0; number < loads.size(); ++number) {
-    const auto& load = loads[number];
-    const auto& name = name_of(number);
+  REQUIRE(loads.size() == Load::kinds().size());
+  for (const auto& load : loads) {
+    const auto name = load.name();
     CAPTURE(name);
-    CHECK(load.name() == name);
     CHECK(load.edges().empty() == (name != "edge_moment" && name != "edge_shear"));
     CHECK(load.line().empty() == (name != "line_load"));
     CHECK(load.path().empty() == (name != "pressure"));

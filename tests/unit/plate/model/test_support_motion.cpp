@@ -13,7 +13,7 @@ TEST_CASE("supports move as rigid bodies, and edges turn about themselves") {
   const auto motions = support_motions(problem);
   REQUIRE(motions.size() == 1);
   CHECK(motions[0].load == 1);
-  CHECK(motions[0].support == 3);
+  CHECK(motions[0].settlement.support == 3);
   // psi = (2, -1): theta_x = psi_y, theta_y = -psi_x
   CHECK((motions[0].at({2, 1}) - Eigen::Vector3d(2.5, -1, -2)).norm() < 1e-14);
   CHECK((motions[0].at({2, 1}, {0, 1}, 0.5) - Eigen::Vector3d(2.625, -0.75, -2)).norm() < 1e-14);

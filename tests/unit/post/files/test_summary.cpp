@@ -1,9 +1,10 @@
+#include "post/files/summary.hpp"
+
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "plate/solve/analysis.hpp"
 #include "post/files/factor_rows.hpp"
-#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
 

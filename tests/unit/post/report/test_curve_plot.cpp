@@ -1,3 +1,5 @@
+#include "post/report/curve_plot.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,6 @@
 #include <vector>
 
 #include "cases/studies/comparison.hpp"
-#include "post/report/curve_plot.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 

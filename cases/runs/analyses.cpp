@@ -1,4 +1,4 @@
-#include "cases/runs/run_once.hpp"
+#include "cases/runs/analyses.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -66,7 +66,7 @@ void look_at_multipliers(double share, const plate::Formulation& plate, std::vec
 /// Statics, motion or frequencies of one plate.
 class SinglePlate : public PlateAnalysis {
 public:
-  SinglePlate(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints);
+  SinglePlate(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints);
 
   void solve() override;
   void finish() override { results_.finish(); }
@@ -78,7 +78,7 @@ private:
   void solve_frequencies();
   std::function<void(const plate::Instant&)> observer(std::size_t last, post::Progress& progress);
 
-  Results& results_;
+  Results results_;
   const Analysis& analysis_;
   RunCheckpoints* checkpoints_;
   std::unique_ptr<fracture::MovingGrowth> growth_;
@@ -92,9 +92,9 @@ bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulati
 void SinglePlate::solve_static() {
   auto& summary = this->summary();
   using enum Analysis::Method;
-  post::Progress progress(plan().quiet, analysis_.method == adr      ? "adaptive dynamic relaxation"
-                                        : analysis_.method == direct ? "factorisation"
-                                                                     : "conjugate gradients");
+  post::Progress progress(quiet(), analysis_.method == adr      ? "adaptive dynamic relaxation"
+                                   : analysis_.method == direct ? "factorisation"
+                                                                : "conjugate gradients");
   const plate::StaticOptions options{analysis_.tolerance, analysis_.max_iterations,
                                      [&](std::size_t i, double residual) {
                                        progress.update(std::log(residual) / std::log(analysis_.tolerance),
@@ -119,7 +119,7 @@ void SinglePlate::solve_static() {
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);
-  compare_with_galerkin(plate_, solution.state, plan().problem, summary.warnings);
+  compare_with_galerkin(plate_, solution.state, content(), summary.warnings);
   stopwatch().lap("second_formulation");
   summary.multipliers = plate_.multipliers(solution.state);
   summary.energy = {{"strain", results_.strain_energy()}, {"external_work", results_.external_work()}};
@@ -166,7 +166,7 @@ void SinglePlate::solve_by_lanczos() {
   summary.analysis.method = "lanczos";
   summary.analysis.duration = analysis_.duration;
   summary.analysis.tolerance = analysis_.tolerance;
-  post::Progress progress(plan().quiet, "Lanczos vectors");
+  post::Progress progress(quiet(), "Lanczos vectors");
   const auto found = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.9, double(vectors) / 100), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
@@ -199,7 +199,7 @@ void SinglePlate::solve_dynamic() {
   summary.analysis.time_step_limit = limit;
   summary.analysis.duration = analysis_.duration;
 
-  post::Progress progress(plan().quiet, "central differences");
+  post::Progress progress(quiet(), "central differences");
   plate::DynamicOptions options{grid.time_step, grid.steps, grid.steps_per_row, {}, nullptr, {}};
   if (analysis_.start == Analysis::Start::equilibrium) options.start = plate::start_of(plate_, analysis_);
   if (const auto& begin = ready_.begin; begin.deflected.size() > 0)
@@ -221,8 +221,8 @@ void SinglePlate::solve_dynamic() {
 
 void SinglePlate::solve_frequencies() {
   auto& summary = this->summary();
-  const auto [low, high] = geometry::bounding_box(plan().problem.outline);
-  post::Progress progress(plan().quiet, "Lanczos iteration");
+  const auto [low, high] = geometry::bounding_box(content().outline);
+  post::Progress progress(quiet(), "Lanczos iteration");
   const double usual = 4 * double(analysis_.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
   const double shift = plate::shift_of(plate_.section(), (high - low).maxCoeff());
   const auto inverse = plate_.inverse_of_shifted(shift);
@@ -248,14 +248,17 @@ void SinglePlate::solve_frequencies() {
   summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
 }
 
-SinglePlate::SinglePlate(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints)
-    : PlateAnalysis(ready, results.outputs()),
-      results_(results),
-      analysis_(plan().analysis),
+SinglePlate::SinglePlate(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints)
+    : PlateAnalysis(ready, outputs),
+      results_(outputs, plate_, ready.tip_methods),
+      analysis_(content().analysis),
       checkpoints_(checkpoints) {
-  if (!plan().growth) return;
-  growth_ = fracture::moving_growth(*plan().growth, plate_, plan().srif, analysis_.rotary_inertia);
-  results.grows(*growth_);
+  summary().accuracy = ready.accuracy;
+  results_.factors().known(ready.factors);
+  results_.factors().compare_with(ready.other_factors);
+  if (!content().growth) return;
+  growth_ = fracture::moving_growth(*content().growth, plate_, content().srif, analysis_.rotary_inertia);
+  results_.grows(*growth_);
 }
 
 void SinglePlate::solve() {
@@ -267,15 +270,21 @@ void SinglePlate::solve() {
     case Analysis::Kind::frequencies:
       return solve_frequencies();
     case Analysis::Kind::harmonic:
-      throw std::logic_error("harmonic analyses are run by run_response()");
+      throw std::logic_error("harmonic_response() is another analysis");
   }
+}
+
+std::unique_ptr<PlateAnalysis> analysis_of(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints) {
+  const Case& c = outputs.content();
+  if (!c.load_cases.empty()) return load_cases(ready, outputs);
+  if (c.analysis.kind == Analysis::Kind::harmonic) return harmonic_response(ready, outputs);
+  return std::make_unique<SinglePlate>(ready, outputs, checkpoints);
 }
 
 }  // namespace
 
-post::Summary run_once(const ValidatedPlate& ready, Results& results, RunCheckpoints* checkpoints) {
-  SinglePlate analysis(ready, results, checkpoints);
-  return carry_out(analysis, results.outputs());
+post::Summary run(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints) {
+  return carry_out(*analysis_of(ready, outputs, checkpoints), outputs);
 }
 
 }  // namespace cases

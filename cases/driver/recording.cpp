@@ -1,10 +1,11 @@
-#include "cases/runs/recording.hpp"
+#include "cases/driver/recording.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
 #include <stdexcept>
 
+#include "cases/input/case_file.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
 #include "post/files/checkpoints.hpp"
@@ -24,7 +25,7 @@ void require_lock(const post::FolderLock& lock) {
 }
 
 /// Looks for what an earlier run has kept; true where this one goes on from it.
-bool finds(RunCheckpoints* checkpoints, const RecordingOptions& options) {
+bool finds(RunCheckpoints* checkpoints, const RunOptions& options) {
   std::vector<std::string> refused;
   const bool found = checkpoints && checkpoints->find(refused);
   if (!found && !refused.empty()) throw RefusedFolder(go_on, fmt::format("{}", fmt::join(refused, "; ")));
@@ -36,24 +37,26 @@ bool finds(RunCheckpoints* checkpoints, const RecordingOptions& options) {
 }
 
 /// Identifies the runs that may continue from a checkpoint: the same case by the same build of the program.
-std::string run_of(const RecordingOptions& options) {
-  return fmt::format("case {}, program {} of {}, {}", post::digest(options.resolved), options.version, plate::build(),
-                     options.communicator->distributed() ? "several processes" : "one process");
+std::string identity_of(const std::string& resolved, const plate::Communicator& all) {
+  return fmt::format("case {}, program {} of {}, {}", post::digest(resolved), PDPLATE_VERSION, plate::build(),
+                     all.distributed() ? "several processes" : "one process");
 }
 
 /// Removes what an earlier run wrote, unless this one goes on from it.
-void clear(const RecordingOptions& options, bool goes_on) {
+void clear(const RunOptions& options, const std::string& resolved, bool goes_on) {
   const auto& folder = options.folder;
-  const bool same = options.goes_on && post::is_of(folder, options.resolved);  // then runs that belong to it may go on
+  const bool same = options.resume && post::is_of(folder, resolved);  // then runs that belong to it may go on
   const auto removed = goes_on ? 0 : post::remove_earlier(folder, same ? post::Parts::stay : post::Parts::go);
   if (removed > 0 && !options.quiet)
     post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
 }
 
-std::unique_ptr<RunCheckpoints> checkpoints_of(const RecordingOptions& options) {
-  if (options.checkpoint_every <= 0) return nullptr;
-  return std::make_unique<RunCheckpoints>(post::Checkpoints(*options.communicator, options.folder, run_of(options)),
-                                          options.checkpoint_every);
+std::unique_ptr<RunCheckpoints> checkpoints_of(const RunPlan& plan, const std::string& resolved) {
+  const double every = plan.content.output.checkpoint_every;
+  if (every <= 0) return nullptr;
+  const auto& all = *plan.options.communicator;
+  return std::make_unique<RunCheckpoints>(post::Checkpoints(all, plan.options.folder, identity_of(resolved, all)),
+                                          every);
 }
 
 }  // namespace
@@ -68,18 +71,26 @@ void check_folder(const std::filesystem::path& folder) {
                                          fmt::join(found, ", ")));
 }
 
-std::optional<post::Summary> done_before(const RecordingOptions& options, bool report) {
+std::optional<post::Summary> done_before(const RunPlan& plan) {
+  const auto& [c, options] = plan;
   const auto& folder = options.folder;
   auto summary = post::read_summary(folder / "summary.json");
-  if (!summary || summary->outcome != "done" || summary->digest != post::digest(options.resolved) ||
-      summary->version != options.version || post::Checkpoints(*options.communicator, folder, "").any() ||
-      (report && !std::filesystem::exists(folder / "report.html")))
+  if (!summary || summary->outcome != "done" || summary->digest != post::digest(resolved_toml(c)) ||
+      summary->version != PDPLATE_VERSION || post::Checkpoints(*options.communicator, folder, "").any() ||
+      (c.output.reports() && !std::filesystem::exists(folder / "report.html")))
     return std::nullopt;
   if (!options.quiet) post::say(folder.string() + ": this run is done already\n");
   return summary;
 }
 
-Recording recording(const RecordingOptions& options) {
+Recording recording(const RunPlan& plan) {
+  const auto& [c, options] = plan;
+  const auto resolved = resolved_toml(c);
+  if (auto* in_memory = options.in_memory) {
+    in_memory->resolved = resolved;
+    in_memory->wants_fields = in_memory->wants_fields && (c.output.vtk || c.output.hdf5);
+    return {{std::make_unique<post::MemorySink>(*in_memory), resolved, PDPLATE_VERSION}, nullptr};
+  }
   const auto& all = *options.communicator;
   std::optional<post::FolderLock> lock;
   if (all.rank() == 0) {
@@ -87,15 +98,19 @@ Recording recording(const RecordingOptions& options) {
     require_lock(lock.emplace(options.folder));
   }
   plate::wait_for_all(all);
-  auto checkpoints = checkpoints_of(options);
-  const bool goes_on = options.goes_on && finds(checkpoints.get(), options);
-  if (lock) clear(options, goes_on);
+  auto checkpoints = checkpoints_of(plan, resolved);
+  const bool goes_on = options.resume && finds(checkpoints.get(), options);
+  if (lock) clear(options, resolved, goes_on);
+  post::StateFile::Options state{.path = options.folder / "state.h5",
+                                 .resolved_case = resolved,
+                                 .version = PDPLATE_VERSION,
+                                 .velocities = c.moves(),
+                                 .goes_on = goes_on};
   auto sink = std::make_unique<post::Folder>(
-      post::FolderOptions{options.folder, options.resolved, options.version, options.vtk, options.hdf5,
-                          options.velocities, goes_on, options.communicator},
+      post::FolderOptions{options.folder, c.output.vtk, c.output.hdf5, std::move(state), options.communicator},
       std::move(lock));
   plate::wait_for_all(all);
-  return {{std::move(sink), options.resolved, options.version, post::ProcessesOfRun(all)}, std::move(checkpoints)};
+  return {{std::move(sink), resolved, PDPLATE_VERSION, post::ProcessesOfRun(all)}, std::move(checkpoints)};
 }
 
 }  // namespace cases

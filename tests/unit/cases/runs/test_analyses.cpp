@@ -1,8 +1,8 @@
-#include "cases/runs/run_once.hpp"
+#include "cases/runs/analyses.hpp"
 
 #include <fmt/format.h>
 
-#include "cases/driver/case_plan.hpp"
+#include "cases/runs/outputs.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/model/errors.hpp"
@@ -24,10 +24,9 @@ struct Once {
   }
   post::Summary run() {
     plate::Stopwatch stopwatch;
-    cases::Outputs outputs(cases::plan_of(file.content, {{}, true, &in_memory}),
+    cases::Outputs outputs({file.content, {{}, true, &in_memory}},
                            {std::make_unique<post::MemorySink>(in_memory), "", ""}, stopwatch);
-    cases::Results results(outputs, *ready.plate, ready.tip_methods);
-    return cases::run_once(ready, results);
+    return cases::run(ready, outputs);
   }
   bool has(const std::string& name) const {
     return std::ranges::any_of(in_memory.tables, [&](const auto& table) { return table.first == name; });
@@ -36,7 +35,7 @@ struct Once {
 
 }  // namespace
 
-TEST_CASE("run once: at rest, a row, a frame and the summary") {
+TEST_CASE("analyses: at rest, a row, a frame and the summary") {
   Once once({"discretization.spacing=0.1", "discretization.formulation=ordinary"});
   const auto summary = once.run();
   CHECK(summary.outcome == "done");
@@ -47,14 +46,14 @@ TEST_CASE("run once: at rest, a row, a frame and the summary") {
   CHECK(once.in_memory.frames.size() == 1);
 }
 
-TEST_CASE("run once: what was good is kept where the numbers fail") {
+TEST_CASE("analyses: what was good is kept where the numbers fail") {
   Once once({"discretization.spacing=0.1", "analysis.max_iterations=1", "analysis.preconditioner=diagonal"});
   CHECK_THROWS_AS(once.run(), plate::NumericalError);
   CHECK(once.has("history"));
   CHECK_THAT(once.in_memory.summary, Catch::Contains("\"outcome\": \"failed: "));
 }
 
-TEST_CASE("run once: frequencies, a frame for each") {
+TEST_CASE("analyses: frequencies, a frame for each") {
   Once once({"discretization.spacing=0.1", "analysis={kind=\"frequencies\",modes=2}", "section.density=1", "-load"});
   const auto summary = once.run();
   CHECK(summary.frequencies.size() == 2);
@@ -62,7 +61,7 @@ TEST_CASE("run once: frequencies, a frame for each") {
   CHECK(once.in_memory.frames.size() == 2);
 }
 
-TEST_CASE("run once: a motion whose energy grows without a load ends, and says where and by what step") {
+TEST_CASE("analyses: a motion whose energy grows without a load ends, and says where and by what step") {
   Once once({"discretization.spacing=0.1", "discretization.formulation=ordinary", "section.density=1",
              "analysis={kind=\"dynamic\",duration=1}", "load[0].history=[[0,1],[0.1,0]]"});
   const double limit = plate::stable_time_step(*once.ready.plate, once.ready.plate->constraints(),
@@ -80,7 +79,7 @@ TEST_CASE("run once: a motion whose energy grows without a load ends, and says w
   CHECK_THAT(once.in_memory.summary, Catch::Contains("\"outcome\": \"failed: the plate has an energy of"));
 }
 
-TEST_CASE("run once: what is not finite is named with point, place and time") {
+TEST_CASE("analyses: what is not finite is named with point, place and time") {
   const Once once({"discretization.spacing=0.1"});
   const plate::NumericalError at("w of point 3 is not finite at step 5, time 0.1", 3);
   post::Summary summary;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/runs/checkpoints.hpp"
+#include "cases/runs/run_plan.hpp"
 #include "post/files/recorder.hpp"
 
 namespace cases {
@@ -24,19 +25,9 @@ private:
 /// Throws RefusedFolder where the folder holds something but no results of a run, or another run writes to it.
 void check_folder(const std::filesystem::path& folder);
 
-struct RecordingOptions {
-  std::filesystem::path folder;   // made if it does not exist
-  std::string resolved, version;  // the whole case as text; of the program
-  bool vtk = true, hdf5 = true, velocities = false;
-  double checkpoint_every = 0;  // [s]; 0: nothing is kept
-  bool goes_on = false;         // from what an earlier run has kept, if it has
-  bool quiet = false;
-  const plate::Communicator* communicator = &plate::single_process();
-};
-
 /// The summary of such a run that this version of the program has done, with all that came after it: nothing is left to
-/// go on with. `report`: one is wanted.
-std::optional<post::Summary> done_before(const RecordingOptions& options, bool report);
+/// go on with.
+std::optional<post::Summary> done_before(const RunPlan& plan);
 
 /// Recorder of the results of a run, and its checkpoints: null where none are written.
 struct Recording {
@@ -44,9 +35,9 @@ struct Recording {
   std::unique_ptr<RunCheckpoints> checkpoints;
 };
 
-/// Recording into a folder, which is reserved for this run alone. Files of an earlier run are removed, with a message,
-/// unless this run continues from that one. Throws RefusedFolder where another run writes to the folder, or where it
-/// has a checkpoint and nothing continues from it.
-Recording recording(const RecordingOptions& options);
+/// Recording of a run in memory, or into its folder, which is reserved for this run alone. Files of an earlier run are
+/// removed, with a message, unless this run continues from that one. Throws RefusedFolder where another run writes to
+/// the folder, or where it has a checkpoint and nothing continues from it.
+Recording recording(const RunPlan& plan);
 
 }  // namespace cases

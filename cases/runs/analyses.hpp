@@ -1,0 +1,49 @@
+#pragma once
+#include "plate/formulation/discretised.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/solve/motion/lanczos_motion.hpp"
+#include "plate/solve/motion/time_grid.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/factors/tip_methods.hpp"
+#include "post/files/factor_rows.hpp"
+#include "post/files/summary.hpp"
+
+namespace cases {
+
+class Outputs;
+class PlateAnalysis;
+class RunCheckpoints;
+
+/// A plate with all that can be refused of its run behind it: nothing has been written yet.
+struct ValidatedPlate {
+  struct Steps {
+    double limit;
+    plate::TimeGrid grid;
+  };
+  plate::Stopwatch stopwatch;
+  std::unique_ptr<plate::Formulation> plate;
+  std::vector<std::string> warnings;
+  std::vector<post::TipMethods> tip_methods;
+  post::OtherFactors other_factors;
+  std::optional<Steps> steps;  // of a motion; without a limit where it takes no steps but rows
+  plate::BeginOfMotion begin;
+  // of a plate that has been solved already:
+  std::optional<plate::StaticResult> solution;
+  std::optional<plate::LanczosMotion> motion;
+  std::vector<std::vector<post::Srif>> factors;  // at all times: of each tip what all sizes tend to, then of this plate
+  std::optional<post::AccuracySummary> accuracy;  // of the search for its discretisation
+};
+
+/// Runs a plate as the plan of the outputs says: by load cases, at rest, in motion, for its frequencies or its harmonic
+/// response. `checkpoints`: of a motion that may go on later, or goes on here. Throws as carry_out().
+post::Summary run(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints = nullptr);
+
+/// Load cases and their combinations, one after the other on a plate that is made once: the number of each, from 1,
+/// stands in the place of time. Combinations are sums of states.
+std::unique_ptr<PlateAnalysis> load_cases(const ValidatedPlate& ready, Outputs& outputs);
+
+/// Harmonic (steady-state) response of a damped plate under loads that vary as cos(2 pi f t), at every frequency f of a
+/// sweep: factors, probes and reactions at each, and a period in eight frames where the deflection is largest.
+std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Outputs& outputs);
+
+}  // namespace cases
