@@ -57,16 +57,6 @@ public:
   virtual void go_on([[maybe_unused]] const std::vector<double>& times) {}
 };
 
-}  // namespace post
-
-namespace plate {
-class Formulation;
-struct Boundary;
-struct Heat;
-}  // namespace plate
-
-namespace post {
-
 /// A row of history.csv: one instant. What does not exist in an analysis stays empty.
 struct Sample {
   double time;
