@@ -1,11 +1,11 @@
-#include "geometry/cells/graded_points.hpp"
+#include "geometry/cells/uncracked_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include "geometry/cells/uncracked_cells.hpp"
+#include "geometry/cells/triangulation.hpp"
 #include "geometry/shape/predicates.hpp"
 
 namespace geometry {
@@ -70,8 +70,8 @@ void add_ring(TriangleMesh& mesh, const Sizing& sizing, const Point& tip, const 
   }
 }
 
-}  // namespace
-
+/// Adds points in rings about the ends of cracks, as far apart as wanted, until they are as far apart as anywhere else:
+/// so the triangles about a tip are nearly equal, and the same on both sides of the crack.
 void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips) {
   for (const auto& tip : tips) {
     const auto from = neighbour(curves, tip);
@@ -92,6 +92,8 @@ void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, c
   }
 }
 
+/// Adds rings of points about a place in the plate. `away`: a unit vector along which other centres do not disturb the
+/// rings.
 void add_rings(TriangleMesh& mesh, const Sizing& sizing, const Point& place, const Point& away) {
   const auto start = mesh.locate(place, 0, false).triangle;
   if (start == TriangleMesh::none) return;
@@ -106,6 +108,7 @@ void add_rings(TriangleMesh& mesh, const Sizing& sizing, const Point& place, con
   }
 }
 
+/// Adds points in rows of equilateral triangles wherever one spacing is wanted.
 void add_rows(TriangleMesh& mesh, const Sizing& sizing) {
   Point low = mesh.points().front(), high = low;
   for (const auto& x : mesh.points()) low = low.cwiseMin(x), high = high.cwiseMax(x);
@@ -117,8 +120,8 @@ void add_rows(TriangleMesh& mesh, const Sizing& sizing) {
       if (sizing({x, y}) >= 1) add(mesh, {x, y}, 1, at);
 }
 
-namespace {
-
+/// Adds points where triangles are larger than wanted or have angles below 20.7 degrees, as far as the angles between
+/// curves allow that and features are not smaller than 1/64 of what is wanted.
 class Refinement {
 public:
   Refinement(TriangleMesh& mesh, const Sizing& sizing) : mesh_(mesh), sizing_(sizing) {}
@@ -260,12 +263,7 @@ double quality(const Point& a, const Point& b, const Point& c) {
   return cross(b - a, c - a) / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
 }
 
-}  // namespace
-
-void refine(TriangleMesh& mesh, const Sizing& sizing) {
-  Refinement(mesh, sizing).run();
-}
-
+/// Moves points that are on no curve, and none of its nodes, to the middle of the triangles about them.
 void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
   const auto fixed = nodes_of(curves, mesh);
   std::vector<double> size;
@@ -298,14 +296,12 @@ void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
   }
 }
 
-namespace {
-
 TriangleMesh filled(const Curves& curves, const Sizing& sizing, const RingCentres& centres) {
   TriangleMesh mesh(curves);
   add_rings(mesh, curves, sizing, centres.tips);
   for (const auto& [place, away] : centres.forces) add_rings(mesh, sizing, place, away);
   add_rows(mesh, sizing);
-  refine(mesh, sizing);
+  Refinement(mesh, sizing).run();
   smooth(mesh, curves, sizing);
   return mesh;
 }
