@@ -5,29 +5,10 @@
 #include <numeric>
 #include <span>
 
+#include "geometry/cells/uncracked_cells.hpp"
+
 namespace geometry {
 namespace {
-
-template <typename Visit>
-void visit_cells(const Tessellation& cells, const Visit& visit) {
-  for (const auto& square : cells.squares) visit(square);
-  for (const auto& triangle : cells.triangles) visit(triangle);
-}
-
-template <typename Cell>
-bool any(const Cell& cell, const std::vector<char>& marked) {
-  return std::ranges::any_of(cell, [&](auto k) { return marked[k] != 0; });
-}
-
-/// Returns the marked points with all points that share a cell with one of them.
-std::vector<char> grown(const Tessellation& cells, const std::vector<char>& marked) {
-  auto result = marked;
-  visit_cells(cells, [&](const auto& cell) {
-    if (any(cell, marked))
-      for (const auto k : cell) result[k] = 1;
-  });
-  return result;
-}
 
 class Sharing {
 public:
@@ -85,11 +66,7 @@ private:
 
 CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
   for (int ring = 0; ring < 2; ++ring) wanted = grown(whole, wanted);
-  std::vector<char> taken(wanted.size(), 0);
-  visit_cells(whole, [&](const auto& cell) {
-    if (any(cell, wanted))
-      for (const auto k : cell) taken[k] = 1;
-  });
+  const auto taken = grown(whole, wanted);  // every point has a cell
   CellsPart result{{whole.units, whole.graded, {}, {}, {}, {}, whole.names, {}}, {}};
   auto& part = result.cells;
   std::vector<std::uint32_t> place(wanted.size(), 0);
@@ -100,7 +77,7 @@ CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
     part.positions.push_back(whole.positions[k]), part.local.push_back(whole.local[k]);
   }
   const auto take = [&](auto cell, auto& cells) {
-    if (!any(cell, wanted)) return;
+    if (std::ranges::none_of(cell, [&](auto k) { return wanted[k] != 0; })) return;
     for (auto& k : cell) k = place[k];
     cells.push_back(cell);
   };

@@ -11,12 +11,6 @@ namespace {
 
 using Square = Tessellation::Square;
 
-void keep_once(auto& values) {
-  std::ranges::sort(values);
-  const auto again = std::ranges::unique(values);
-  values.erase(again.begin(), again.end());
-}
-
 /// The cells that cracks may part or that points may be left without, and what there is of them before that.
 struct Band {
   std::vector<std::pair<long, long>> places;  // of its squares: row, column
@@ -48,9 +42,7 @@ Band band_of(const LatticeCells& all) {
   }
   keep_once(result.number);
   cells.triangles = all.triangles, cells.pieces = all.pieces;
-  for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) corner[c] = result.index(corner[c]);
-  });
+  for_corners(cells, [&](std::uint32_t& k) { k = result.index(k); });
   for (auto& piece : cells.pieces) piece.from = result.index(piece.from), piece.to = result.index(piece.to);
   for (const auto k : result.number) cells.positions.push_back(all.position(k));
   return result;
@@ -109,9 +101,7 @@ void GlobalLattice::part(LatticeCells all) {
     for (std::size_t c = 0; c < 3; ++c)
       longest_side_ =
           std::max(longest_side_, (cells.positions[corner[c]] - cells.positions[corner[(c + 1) % 3]]).norm());
-  geometry::for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) corner[c] = number[corner[c]];
-  });
+  for_corners(cells, [&](std::uint32_t& k) { k = number[k]; });
   for (std::size_t s = 0; s < cells.squares.size(); ++s)
     if (std::ranges::any_of(cells.squares[s], [&](auto k) { return k >= points_.size(); }))
       parted_.emplace_back(band.places[s], cells.squares[s]);
@@ -224,9 +214,7 @@ private:
     }
     for (const auto& [at, square] : global_.parted_)
       if (has(at.second, at.first)) take(square);
-    std::ranges::sort(others_);
-    const auto again = std::ranges::unique(others_);
-    others_.erase(again.begin(), again.end());
+    keep_once(others_);
     for (long j = std::max(0L, low[1]); j < std::min(high[1], global_.points_.rows()); ++j)
       for (const auto& run : global_.points_.row(j)) {
         const long from = std::max(long(run.from), low[0]), to = std::min(long(run.to), high[0]);
@@ -280,11 +268,7 @@ private:
   /// Keeps those candidate points that are corners of cells, and renumbers the corners.
   void keep_corners() {
     auto& cells = result_.cells;
-    const auto for_corners = [&](const auto& visit) {
-      for (auto& square : cells.squares) std::ranges::for_each(square, visit);
-      for (auto& triangle : cells.triangles) std::ranges::for_each(triangle, visit);
-    };
-    for_corners([&](std::uint32_t& k) { used_[k] = 0; });
+    for_corners(cells, [&](std::uint32_t k) { used_[k] = 0; });
     const auto count = std::size_t(std::ranges::count(used_, 0U));
     cells.positions.reserve(count), cells.local.reserve(count), result_.number.reserve(count);
     const auto add = [&](std::uint32_t at, std::uint32_t number, const Point& u) {
@@ -298,7 +282,7 @@ private:
       for (std::uint32_t n = 0; n < std::uint32_t(to - from); ++n)
         add(first + n, number + n, {double(from + n), double(row)});
     for (std::uint32_t n = 0; n < others_.size(); ++n) add(of_lattice_ + n, others_[n], place(others_[n]));
-    for_corners([&](std::uint32_t& k) { k = used_[k]; });
+    for_corners(cells, [&](std::uint32_t& k) { k = used_[k]; });
   }
 
   std::uint32_t here(std::uint32_t k) const {

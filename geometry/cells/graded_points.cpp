@@ -224,38 +224,24 @@ std::vector<char> nodes_of(const Curves& curves, const TriangleMesh& mesh) {
 class Stars {
 public:
   Stars(const TriangleMesh& mesh, const std::vector<char>& fixed)
-      : first_(mesh.points().size() + 1, 0), free_(mesh.points().size(), 1) {
+      : free_(mesh.points().size(), 1), opposite_(mesh.points().size(), [&](const auto& visit) {
+          for (const auto& [corner, across, mark, inside] : mesh.triangles())
+            for (std::size_t i = 0; inside && i < 3; ++i)
+              visit(corner[i], std::pair(corner[(i + 1) % 3], corner[(i + 2) % 3]));
+        }) {
     for (std::size_t k = 0; k < fixed.size(); ++k) free_[k] = !fixed[k];
-    for (const auto& triangle : mesh.triangles()) {
-      if (!triangle.inside) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        ++first_[triangle.corner[i] + 1];
-        if (triangle.mark[i] == TriangleMesh::unmarked) continue;
-        free_[triangle.corner[(i + 1) % 3]] = free_[triangle.corner[(i + 2) % 3]] = 0;
-      }
-    }
-    for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
-    opposite_.resize(first_.back());
-    auto next = first_;
-    for (const auto& triangle : mesh.triangles()) {
-      if (!triangle.inside) continue;
-      const auto& corner = triangle.corner;
-      for (std::size_t i = 0; i < 3; ++i) opposite_[next[corner[i]]++] = {corner[(i + 1) % 3], corner[(i + 2) % 3]};
-    }
+    for (const auto& [corner, across, mark, inside] : mesh.triangles())
+      for (std::size_t i = 0; inside && i < 3; ++i)
+        if (mark[i] != TriangleMesh::unmarked) free_[corner[(i + 1) % 3]] = free_[corner[(i + 2) % 3]] = 0;
   }
 
-  bool is_free(std::uint32_t k) const { return free_[k] && first_[k] < first_[k + 1]; }
-
-  /// Calls visit(a, b) for the sides opposite to k.
-  template <typename Visit>
-  void about(std::uint32_t k, const Visit& visit) const {
-    for (auto i = first_[k]; i < first_[k + 1]; ++i) visit(opposite_[i].first, opposite_[i].second);
-  }
+  bool is_free(std::uint32_t k) const { return free_[k] && !opposite_[k].empty(); }
+  /// The sides opposite to k.
+  auto about(std::uint32_t k) const { return opposite_[k]; }
 
 private:
-  std::vector<std::size_t> first_;
   std::vector<char> free_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> opposite_;
+  Grouped<std::pair<std::uint32_t, std::uint32_t>> opposite_;
 };
 
 /// Area over the sum of the squared sides: 0 where flat, negative where turned over.
@@ -276,18 +262,17 @@ void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
       const Point x = points[k];
       Point sum(0, 0);
       double weights = 0, worst = 1;
-      stars.about(k, [&](std::uint32_t a, std::uint32_t b) {
+      for (const auto& [a, b] : stars.about(k)) {
         // centroids by mass, where the density of points goes with 1 / size^2 (Lloyd: by 1 / size^4)
         const double mean = (size[k] + size[a] + size[b]) / 3, square = mean * mean;
         const double weight = cross(points[a] - x, points[b] - x) / (square * square);
         sum += weight * ((points[a] - x) + (points[b] - x)) / 3, weights += weight;
         worst = std::min(worst, quality(x, points[a], points[b]));
-      });
+      }
       const Point to = x + 1.2 * sum / weights;
       double least = 1;
-      stars.about(k, [&](std::uint32_t a, std::uint32_t b) {
+      for (const auto& [a, b] : stars.about(k))
         least = std::min(least, side(to, points[a], points[b]) > 0 ? quality(to, points[a], points[b]) : -1);
-      });
       if (least < std::min(worst, 0.15) || least <= 0) continue;
       mesh.move(k, to);
       size[k] = sizing(to);

@@ -6,6 +6,8 @@
 #include <map>
 #include <unordered_map>
 
+#include "geometry/lattice/grouped.hpp"
+
 namespace geometry {
 namespace {
 
@@ -22,12 +24,9 @@ public:
     }
     columns_ = column(high.x()) + 1;
     rows_ = row(high.y()) + 1;
-    first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for (const Point& u : points_) ++first_[bucket(u) + 1];
-    for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
-    members_.resize(points_.size());
-    auto next = first_;
-    for (std::uint32_t k = 0; k < points_.size(); ++k) members_[next[bucket(points_[k])]++] = k;
+    members_ = {static_cast<std::size_t>(columns_ * rows_), [&](const auto& visit) {
+                  for (std::uint32_t k = 0; k < points_.size(); ++k) visit(bucket(points_[k]), k);
+                }};
   }
 
   const std::vector<Point>& points() const { return points_; }
@@ -39,9 +38,8 @@ public:
     const long c = column(u.x()), r = row(u.y());
     for (long y = std::max(0L, r - 1); y <= std::min(rows_ - 1, r + 1); ++y)
       for (long x = std::max(0L, c - 1); x <= std::min(columns_ - 1, c + 1); ++x)
-        for (auto m = first_[index(x, y)]; m < first_[index(x, y) + 1]; ++m)
-          if (members_[m] != k && (points_[members_[m]] - u).squaredNorm() <= radius * radius)
-            found.push_back(members_[m]);
+        for (const auto j : members_[index(x, y)])
+          if (j != k && (points_[j] - u).squaredNorm() <= radius * radius) found.push_back(j);
     std::sort(found.begin(), found.end());
   }
 
@@ -55,8 +53,7 @@ private:
   std::vector<Point> points_;
   Point low_{0, 0};
   long columns_ = 0, rows_ = 0;
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> members_;
+  Grouped<std::uint32_t> members_;  // of buckets
 };
 
 /// A bond before its vector has a number.
