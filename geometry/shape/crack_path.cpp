@@ -30,10 +30,8 @@ int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip) 
 }
 
 bool near(const Point& p, const Point& q, const Point& a, const Point& b) {
-  return std::max(a.x(), b.x()) + closure >= std::min(p.x(), q.x()) &&
-         std::min(a.x(), b.x()) - closure <= std::max(p.x(), q.x()) &&
-         std::max(a.y(), b.y()) + closure >= std::min(p.y(), q.y()) &&
-         std::min(a.y(), b.y()) - closure <= std::max(p.y(), q.y());
+  const Point margin(closure, closure);
+  return boxes_meet(p.cwiseMin(q) - margin, p.cwiseMax(q) + margin, a, b);
 }
 
 Point ahead(const Point& from, const Point& end) {
@@ -262,18 +260,13 @@ std::optional<double> hit(const Point& x, const Point& direction, const Circle& 
   return ahead - std::sqrt(half);
 }
 
-Point nearest_on(const Point& a, const Point& b, const Point& x) {
-  const double share = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return a + share * (b - a);
-}
-
 /// Nearest point to the tip on the part of the segment that lies ahead of it; what is beside it counts.
 std::optional<Point> nearest_ahead(Point a, Point b, const Tip& tip) {
   const double from = (a - tip.position).dot(tip.direction), to = (b - tip.position).dot(tip.direction);
   const double rounding = 1e-9 * (std::abs(from) + std::abs(to) + (b - a).norm());
   if (std::max(from, to) < -rounding) return std::nullopt;
   if (std::min(from, to) < -rounding) (from < to ? a : b) = a + from / (from - to) * (b - a);
-  return a == b ? a : nearest_on(a, b, tip.position);
+  return nearest_on_segment(a, b, tip.position);
 }
 
 /// Calls visit(a, b) for the segments of all cracks but the one that ends at the tip.
