@@ -110,8 +110,7 @@ void add_rings(TriangleMesh& mesh, const Sizing& sizing, const Point& place, con
 
 /// Adds points in rows of equilateral triangles wherever one spacing is wanted.
 void add_rows(TriangleMesh& mesh, const Sizing& sizing) {
-  Point low = mesh.points().front(), high = low;
-  for (const auto& x : mesh.points()) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  const auto [low, high] = bounding_box(mesh.points());
   const double height = std::sqrt(0.75);
   std::int32_t at = 0;
   bool shifted = false;

@@ -227,13 +227,14 @@ bool meet(const Point& p, const Point& q, const Point& a, const Point& b) {
   return boxes_meet(p, q, a, b) && side(a, b, p) * side(a, b, q) <= 0 && side(p, q, a) * side(p, q, b) <= 0;
 }
 
-std::pair<Point, Point> bounding_box(const Outline& outline) {
-  Point low = outline.outer.vertices.at(0), high = low;
-  for (const Point& v : outline.outer.vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
+std::pair<Point, Point> bounding_box(const std::vector<Point>& points) {
+  Point low = points.at(0), high = low;
+  for (const Point& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
   return {low, high};
+}
+
+std::pair<Point, Point> bounding_box(const Outline& outline) {
+  return bounding_box(outline.outer.vertices);
 }
 
 double tolerance(const Outline& outline) {

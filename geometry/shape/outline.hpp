@@ -75,7 +75,8 @@ bool meet(const Point& p, const Point& q, const Point& a, const Point& b);
 /// area, radius <= 0, holes outside, crossing the outline or each other.
 std::vector<GeometryError> errors(const Outline& outline);
 
-/// Lower left and upper right corner of the bounding box.
+/// Lower left and upper right corner of the bounding box of points, one at least.
+std::pair<Point, Point> bounding_box(const std::vector<Point>& points);
 std::pair<Point, Point> bounding_box(const Outline& outline);
 
 /// A length that counts as nothing beside the outline: the noise of decimals.

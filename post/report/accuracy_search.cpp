@@ -39,7 +39,7 @@ std::optional<double> least_radius(const plate::Problem& problem) {
       take(circle->radius);
       continue;
     }
-    const auto [low, high] = geometry::bounding_box({std::get<geometry::Polygon>(hole), {}});
+    const auto [low, high] = geometry::bounding_box(std::get<geometry::Polygon>(hole).vertices);
     take((high - low).minCoeff() / 2);
   }
   return result;

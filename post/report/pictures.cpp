@@ -14,18 +14,11 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Lower left and upper right corner.
-std::pair<geometry::Point, geometry::Point> box(const std::vector<geometry::Point>& points) {
-  geometry::Point low = points.front(), high = low;
-  for (const auto& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  return {low, high};
-}
-
 }  // namespace
 
 Raster::Raster(const plate::Mesh& mesh, std::size_t pixels) {
   const auto points = vertices(mesh);
-  const auto [low, high] = box(points);
+  const auto [low, high] = geometry::bounding_box(points);
   const geometry::Point size = high - low;
   low_ = low;
   pitch_ = std::sqrt(size.x() * size.y() / double(pixels));
