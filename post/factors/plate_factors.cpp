@@ -301,9 +301,8 @@ std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, 
                                                 double h, const std::string& remedy) {
   constexpr double uncertain = 0.03;
   std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < srifs.size(); ++i) {
-    const auto& srif = srifs[i];
-    if (i > 0 && srifs[i - 1].tip == srif.tip) continue;
+  for (const auto* one : recommended(srifs)) {
+    const auto& srif = *one;
     const auto place = fmt::format("tip {} ({:.4g}, {:.4g})", srif.tip, srif.position.x(), srif.position.y());
     if (srif.G && *srif.G <= 0 && !srif.resolved[0]) {
       warnings.push_back(fmt::format("{}: no intensity factors: energy release rate {:.3g} is not positive; {}", place,

@@ -45,6 +45,13 @@ bool of_opening(SrifMethod method) {
   return method == SrifMethod::displacement_extrapolation || method == SrifMethod::opening_series;
 }
 
+std::vector<const Srif*> recommended(const std::vector<Srif>& srifs) {
+  std::vector<const Srif*> result;
+  for (const auto& one : srifs)
+    if (result.empty() || result.back()->tip != one.tip) result.push_back(&one);
+  return result;
+}
+
 double largest_factor(const Srif& srif, double thickness) {
   return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
 }

@@ -103,6 +103,9 @@ bool of_opening(SrifMethod method);
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);
 
+/// Recommended factors of each tip: the first that it has.
+std::vector<const Srif*> recommended(const std::vector<Srif>& srifs);
+
 /// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
 void widen(Srif& srif, const Srif& coarser, double thickness);
 

@@ -44,12 +44,10 @@ std::vector<Series> factors(const std::vector<double>& times, const std::vector<
     for (const auto& srif : row) least = std::max({least, 1e-6 * std::abs(srif.K1), 1e-6 * std::abs(srif.K2)});
   std::map<std::size_t, Curve> found;  // tip
   for (std::size_t n = 0; n < std::min(times.size(), rows.size()); ++n)
-    for (std::size_t i = 0; i < rows[n].size(); ++i) {
-      const Srif& srif = rows[n][i];
-      if (i > 0 && rows[n][i - 1].tip == srif.tip) continue;
-      const std::array values{srif.K1, srif.K2, srif.K3};
-      auto& curve = found[srif.tip];
-      curve.t.push_back(times[n]), curve.y.push_back(srif.resolved[which] ? values[which] : gap);
+    for (const auto* srif : recommended(rows[n])) {
+      const std::array values{srif->K1, srif->K2, srif->K3};
+      auto& curve = found[srif->tip];
+      curve.t.push_back(times[n]), curve.y.push_back(srif->resolved[which] ? values[which] : gap);
     }
   std::vector<Series> series;
   for (auto& [tip, curve] : found)

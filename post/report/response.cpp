@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::array factor_names{"K1", "K2", "K3"};
 
-/// Recommended factors of each tip, which are its first.
-std::vector<const Srif*> recommended(const std::vector<Srif>& all) {
-  std::vector<const Srif*> result;
-  for (const auto& one : all)
-    if (result.empty() || result.back()->tip != one.tip) result.push_back(&one);
-  return result;
-}
-
 /// Quantities of one kind are compared with each other.
 std::string kind_of(const std::string& quantity) {
   return quantity.starts_with('K') ? "K" : quantity.substr(0, quantity.find('_'));
