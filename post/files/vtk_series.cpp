@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <pugixml.hpp>
+#include <ranges>
 #include <regex>
 #include <stdexcept>
 
@@ -128,15 +130,16 @@ namespace {
 
 /// GridCells as VTK lists them: the points of all, where the points of each end, what each is.
 struct GridCells {
-  enum Type : std::uint8_t { vertex = 1, triangle = 5, quad = 9 };  // VTK's numbers
+  enum Type : std::uint8_t { vertex = 1, line = 4, triangle = 5, quad = 9 };  // VTK's numbers
   std::vector<std::int64_t> points, ends;
   std::vector<std::uint8_t> types;
 
   void add(Type type, const auto& cell) {
-    points.insert(points.end(), cell.begin(), cell.end());
+    std::ranges::copy(cell, std::back_inserter(points));
     ends.push_back(std::int64_t(points.size()));
     types.push_back(type);
   }
+  std::string text() const { return data_array("connectivity", points) + data_array("offsets", ends); }
 };
 
 /// Every point that no cell uses is a cell by itself, unless it is another process's.
@@ -162,10 +165,6 @@ std::string point_data(const Mesh& mesh, const char* name, CornerWeight weight, 
   return data_array(name, {values.data(), std::size_t(values.size())}, std::size_t(values.rows()));
 }
 
-Eigen::Map<const Eigen::RowVectorXd> field_row(const std::vector<double>& values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
-
 std::string fields_of(const Mesh& mesh, const Frame& frame) {
   const auto& [moments, shear, von_mises] = frame.resultants;
   std::string text;
@@ -175,8 +174,8 @@ std::string fields_of(const Mesh& mesh, const Frame& frame) {
   constexpr auto linear = &Mesh::Source::linear, mean = &Mesh::Source::mean;
   add("w", linear, frame.state.row(0));
   add("theta", linear, frame.state.bottomRows<2>());
-  add("damage", mean, field_row(frame.damage));
-  add("cut", mean, field_row(mesh.cut));
+  add("damage", mean, row_of(frame.damage));
+  add("cut", mean, row_of(mesh.cut));
   add("Mxx", mean, moments.row(0));
   add("Myy", mean, moments.row(1));
   add("Mxy", mean, moments.row(2));
@@ -197,13 +196,45 @@ std::string vtu(const Mesh& mesh, const Frame& frame) {
   positions.reserve(3 * all.size());
   for (const auto& x : all) positions.insert(positions.end(), {x.x(), x.y(), 0});
   const auto cells = cells_of(mesh);
+  return vtk_file("UnstructuredGrid",
+                  fmt::format("<FieldData>\n{}</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
+                              "<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}</Cells>\n</Piece>\n",
+                              data_array("TimeValue", std::array{frame.time}), all.size(), cells.types.size(),
+                              fields_of(mesh, frame), data_array("Points", positions, 3), cells.text(),
+                              data_array("types", cells.types)));
+}
+
+std::string vtp(const Cracks& cracks) {
+  constexpr double none = -1;
+  constexpr std::array<double, 3> unknown{NAN, NAN, NAN};
+  std::vector<double> positions, advances, tips, crack_of_cell, tip_of_cell;
+  std::array<std::vector<double>, 3> factors;
+  GridCells lines, ends;
+  const auto add = [&](const geometry::Point& x, double advance, double tip, const std::array<double, 3>& K) {
+    positions.insert(positions.end(), {x.x(), x.y(), 0});
+    advances.push_back(advance), tips.push_back(tip);
+    for (std::size_t i = 0; i < 3; ++i) factors[i].push_back(K[i]);
+  };
+  for (const auto& tip : cracks.tips)  // those of vertices come first, as VTK counts cells
+    crack_of_cell.push_back(double(tip.crack)), tip_of_cell.push_back(double(tip.number));
+  for (const auto& line : cracks.lines) {
+    lines.add(GridCells::line, std::views::iota(tips.size(), tips.size() + line.vertices.size()));
+    crack_of_cell.push_back(double(&line - cracks.lines.data())), tip_of_cell.push_back(none);
+    for (std::size_t i = 0; i < line.vertices.size(); ++i) add(line.vertices[i], line.advances[i], none, unknown);
+  }
+  for (const auto& tip : cracks.tips) {
+    ends.add(GridCells::vertex, std::array{tips.size()});
+    add(tip.position, 0, double(tip.number), tip.factors.value_or(unknown));
+  }
   return vtk_file(
-      "UnstructuredGrid",
-      fmt::format("<FieldData>\n{}</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
-                  "<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n",
-                  data_array("TimeValue", std::array{frame.time}), all.size(), cells.types.size(),
-                  fields_of(mesh, frame), data_array("Points", positions, 3), data_array("connectivity", cells.points),
-                  data_array("offsets", cells.ends), data_array("types", cells.types)));
+      "PolyData",
+      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\">\n"
+                  "<PointData>\n{}{}{}{}{}</PointData>\n<CellData>\n{}{}</CellData>\n<Points>\n{}</Points>\n"
+                  "<Verts>\n{}</Verts>\n<Lines>\n{}</Lines>\n</Piece>\n",
+                  tips.size(), cracks.tips.size(), cracks.lines.size(), data_array("advance", advances),
+                  data_array("tip", tips), data_array("K1", factors[0]), data_array("K2", factors[1]),
+                  data_array("K3", factors[2]), data_array("crack", crack_of_cell), data_array("tip", tip_of_cell),
+                  data_array("Points", positions, 3), ends.text(), lines.text()));
 }
 
 namespace {

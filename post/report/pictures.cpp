@@ -132,7 +132,7 @@ Pictures::Picture Pictures::picture(const Frame& frame) const {
     add("Mxy", moments.row(2), mean);
   }
   if (std::ranges::any_of(frame.damage, [](double damage) { return damage > 0; }))
-    add("damage", Eigen::Map<const Eigen::RowVectorXd>(frame.damage.data(), Eigen::Index(frame.damage.size())), mean);
+    add("damage", row_of(frame.damage), mean);
   return result;
 }
 
