@@ -250,10 +250,9 @@ const double packing = 2 / std::sqrt(3.0);  // of equilateral triangles
 
 double perimeter(const Hole& hole) {
   if (const auto* circle = std::get_if<Circle>(&hole)) return 2 * pi * circle->radius;
-  const auto& vertices = std::get<Polygon>(hole).vertices;
-  double sum = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) sum += (vertices[(i + 1) % vertices.size()] - vertices[i]).norm();
-  return sum;
+  auto ring = std::get<Polygon>(hole).vertices;
+  ring.push_back(ring.front());
+  return length(ring);
 }
 
 /// Integral of 2 pi r / s^2 - 2 pi r / spacing^2 with s = least + growth r, until s is the spacing.

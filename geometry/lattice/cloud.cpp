@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -52,15 +52,9 @@ std::vector<CrackPath> to_lattice(const std::vector<CrackPath>& paths, const Lat
 }
 
 std::size_t nearest_plate_point(const Cloud& cloud, const Point& x) {
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < cloud.plate_points; ++k) {
-    const double squared = (cloud.positions[k] - x).squaredNorm();
-    if (squared >= least) continue;
-    least = squared;
-    nearest = k;
-  }
-  return nearest;
+  const auto points = std::span(cloud.positions).first(cloud.plate_points);
+  const auto distance = [&](const Point& point) { return (point - x).squaredNorm(); };
+  return static_cast<std::size_t>(std::ranges::min_element(points, {}, distance) - points.begin());
 }
 
 namespace {
