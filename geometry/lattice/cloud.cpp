@@ -74,8 +74,7 @@ public:
     }
     marks_.assign(static_cast<std::size_t>(box_.side(0)) * static_cast<std::size_t>(box_.side(1)), 0);
     for (const Edge& edge : straight_edges(outline)) mark(edge.from, edge.to);
-    for (const Hole& hole : outline.holes)
-      if (const auto* circle = std::get_if<Circle>(&hole)) mark(*circle);
+    for (const Circle& circle : circles(outline)) mark(circle);
   }
 
   const CellBox& box() const { return box_; }

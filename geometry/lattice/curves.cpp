@@ -197,11 +197,10 @@ void meet(Segment& one, Segment& other, Places& places) {
 Point put_onto(const Outline& outline, const std::vector<Edge>& edges, const Point& x, double near) {
   for (const auto& edge : edges)
     if (distance_to_segment(edge.from, edge.to, x) < near) return nearest_on_segment(edge.from, edge.to, x);
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole)) {
-      const Point from = x - circle->centre;
-      if (std::abs(from.norm() - circle->radius) < near) return circle->centre + circle->radius * from.normalized();
-    }
+  for (const Circle& circle : circles(outline)) {
+    const Point from = x - circle.centre;
+    if (std::abs(from.norm() - circle.radius) < near) return circle.centre + circle.radius * from.normalized();
+  }
   return x;
 }
 

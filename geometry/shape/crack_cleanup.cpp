@@ -28,9 +28,9 @@ Nearest nearest(const Outline& outline, const std::vector<Polyline>& cracks, std
   Nearest result{x};
   for (const Edge& edge : straight_edges(outline))
     if (result.look(nearest_on_segment(edge.from, edge.to, x))) result.name = edge.name;
-  for (const Hole& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole); circle && x != circle->centre)
-      if (result.look(circle->centre + circle->radius * (x - circle->centre).normalized())) result.name = circle->name;
+  for (const Circle& circle : circles(outline))
+    if (x != circle.centre && result.look(circle.centre + circle.radius * (x - circle.centre).normalized()))
+      result.name = circle.name;
   std::size_t nearest = cracks.size();
   for (std::size_t other = 0; other < cracks.size(); ++other)
     for (std::size_t i = 0; other != own && i + 1 < cracks[other].size(); ++i)

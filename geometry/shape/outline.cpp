@@ -185,9 +185,8 @@ double edge_length(const Outline& outline, const std::string& name) {
   double length = 0;
   for (const Edge& edge : straight_edges(outline))
     if (edge.name == name) length += (edge.to - edge.from).norm();
-  for (const Hole& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole); circle && circle->name == name)
-      length += 2 * std::numbers::pi * circle->radius;
+  for (const Circle& circle : circles(outline))
+    if (circle.name == name) length += 2 * std::numbers::pi * circle.radius;
   return length;
 }
 

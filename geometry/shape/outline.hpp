@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +31,12 @@ struct Outline {
   Polygon outer;
   std::vector<Hole> holes;
 };
+
+/// The holes that are circles.
+inline auto circles(const Outline& outline) {
+  return outline.holes | std::views::filter([](const Hole& hole) { return std::holds_alternative<Circle>(hole); }) |
+         std::views::transform([](const Hole& hole) -> const Circle& { return std::get<Circle>(hole); });
+}
 
 /// A straight piece of the boundary with the plate on its left.
 struct Edge {

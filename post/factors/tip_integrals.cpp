@@ -166,9 +166,8 @@ double clear_distance(const geometry::Outline& outline, const std::vector<geomet
   double clear = straight_length(paths[tip.crack], tip, spacing);
   for (const auto& edge : geometry::straight_edges(outline))
     clear = std::min(clear, geometry::distance({edge.from, edge.to}, tip.position));
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
-      clear = std::min(clear, std::abs((tip.position - circle->centre).norm() - circle->radius));
+  for (const auto& circle : geometry::circles(outline))
+    clear = std::min(clear, std::abs((tip.position - circle.centre).norm() - circle.radius));
   for (std::size_t i = 0; i < paths.size(); ++i)
     if (i != tip.crack) clear = std::min(clear, geometry::distance(paths[i].vertices, tip.position));
   return clear;
