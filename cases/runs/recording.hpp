@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/runs/checkpoints.hpp"
+#include "plate/model/point_map.hpp"
 #include "post/files/recorder.hpp"
 
 namespace cases {

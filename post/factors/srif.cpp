@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "plate/model/section.hpp"
+
 namespace post {
 namespace {
 

@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/model/section.hpp"
+
+namespace plate {
+struct Section;
+}
 
 /// Output of the program: intensity factors, tables, files for ParaView and HDF5.
 namespace post {
@@ -88,13 +91,6 @@ struct Srif {
   std::vector<FitSrif> fits;                       // of the fit of the fields about the tip; the first gave the result
   double fit_residual = 0;                         // rms misfit of the straight line / largest |K| of the fit
   std::size_t samples = 0;
-};
-
-/// The numbers that displacement extrapolation needs of a plate.
-struct PlateScale {
-  plate::Section section;
-  double spacing, horizon;  // [length]
-  bool points_on_faces = false;
 };
 
 /// True where a method reads the opening of the crack, false where it reads the field about the tip.

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "plate/formulation/discretised.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/solve/archive_types.hpp"
 #include "post/files/frame.hpp"
@@ -15,6 +14,7 @@
 
 namespace plate {
 class Formulation;
+class Stopwatch;
 struct Boundary;
 struct Heat;
 }  // namespace plate

@@ -1,14 +1,15 @@
 #include "post/report/curves.hpp"
 
-#include "post/report/curve_plot.hpp"
-
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+
+#include "post/factors/srif.hpp"
+#include "post/files/table.hpp"
+#include "post/report/curve_plot.hpp"
 
 namespace post {
 namespace {

@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "post/files/summary.hpp"
-
 namespace post {
 
+struct EnvelopeEntry;
+struct LoadCaseSummary;
+struct Summary;
 struct Table;
 
 /// Text for the user at the end of a run: one row of factors per tip by the recommended method, the other methods below

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/operator.hpp"

@@ -9,6 +9,7 @@
 
 #include "plate/model/space.hpp"
 #include "post/files/recorder.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
 namespace post {

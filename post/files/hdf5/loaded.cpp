@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <stdexcept>
 
+#include "plate/model/communicator.hpp"
 #include "post/files/atomic_file.hpp"
 #include "post/files/point_order.hpp"
 

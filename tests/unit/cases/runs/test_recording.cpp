@@ -1,5 +1,6 @@
 #include "cases/runs/recording.hpp"
 
+#include "plate/formulation/discretised.hpp"
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"

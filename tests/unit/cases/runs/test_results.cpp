@@ -2,6 +2,7 @@
 
 #include "cases/driver/case_plan.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/dynamics.hpp"
