@@ -60,17 +60,13 @@ void add(CurvePlot& plot, const std::string& t, const std::string& y, std::vecto
   if (!series.empty()) plot.panels.push_back({t, y, std::move(series)});
 }
 
-Series line(const std::string& label, const std::vector<double>& t, std::vector<double> y, std::size_t number) {
-  return {label, Line::plain, {t, std::move(y)}, number};
-}
-
 /// Series of the columns that have a value other than zero.
 std::vector<Series> lines(const Table& table, const std::vector<double>& t,
                           const std::vector<std::pair<std::string, std::string>>& columns) {
   std::vector<Series> series;
   for (const auto& [column, label] : columns)
     if (auto values = numbers(table, column); largest(values) > 0)
-      series.push_back(line(label, t, std::move(values), series.size()));
+      series.push_back({label, Line::plain, {t, std::move(values)}, series.size()});
   return series;
 }
 
