@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/factors/tip_section.hpp"
+#include "plate/model/section.hpp"
 
 namespace post {
 
 using geometry::Point;
-
-Eigen::Vector3d unit_release(const plate::Section& section) {
-  return TipSection(section).unit_release();
-}
 
 /// The strain energy has W = D (1 + nu) kappa_0 (tr grad psi + kappa_0) of it; the field is carried along with the tip,
 /// while kappa_0 stays where it is.
