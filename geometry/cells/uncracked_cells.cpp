@@ -9,6 +9,11 @@
 namespace geometry {
 namespace {
 
+/// Returns the key of the side between two corners, equal for both directions.
+std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+}
+
 struct Corner {
   std::uint32_t* point;         // in its cell
   std::uint32_t before, after;  // the corners next to it

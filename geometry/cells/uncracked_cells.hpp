@@ -46,11 +46,6 @@ void keep_once(auto& values) {
   values.erase(again.begin(), again.end());
 }
 
-/// Returns the key of the side between two corners, equal for both directions.
-inline std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
-}
-
 /// Centres of the rings of points.
 struct RingCentres {
   std::vector<Point> tips;

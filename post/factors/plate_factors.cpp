@@ -51,8 +51,7 @@ double reach_of_foundations(const plate::Problem& c) {
   return result;
 }
 
-}  // namespace
-
+/// Distance from a tip to the next point force, line load, pin, spring, stiffener or support inside [length].
 double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
   double result = INFINITY;
   const auto take = [&](const geometry::Point& x) { result = std::min(result, (x - tip.position).norm()); };
@@ -76,6 +75,8 @@ double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
   }
   return result;
 }
+
+}  // namespace
 
 double clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip) {

@@ -62,8 +62,7 @@ std::string pvtu(std::size_t frame, int pieces) {
   return text + "  </PUnstructuredGrid>\n</VTKFile>\n";
 }
 
-}  // namespace
-
+/// A list of frames and their times, as ParaView opens it. `without`: frames that are not there.
 std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame),
                 const std::set<std::size_t>& without) {
   std::string text = fmt::format(
@@ -75,58 +74,6 @@ std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::
   }
   return text + "  </Collection>\n</VTKFile>\n";
 }
-
-VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh, const plate::Communicator& communicator)
-    : folder_(std::move(folder)), mesh_(std::move(mesh)), communicator_(&communicator) {}
-
-void VtkSeries::write(const Frame& frame) {
-  const auto number = times_.size();
-  const bool in_pieces = communicator_->distributed();
-  write_atomically(folder_ / (in_pieces ? piece_name(number, communicator_->rank()) : fields(number)),
-                   vtu(mesh_, frame));
-  times_.push_back(frame.time);
-  plate::wait_for_all(*communicator_);
-  if (communicator_->rank() > 0) return;
-  if (in_pieces) write_atomically(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size()));
-  if (frame.cracks) write_atomically(folder_ / cracks(number), vtp(*frame.cracks));
-  write_atomically(folder_ / "fields.pvd", pvd(times_, in_pieces ? fields_in_pieces : fields, gone_));
-  if (frame.cracks) write_atomically(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
-}
-
-/// Pieces of later frames may be of more ranks than there are now.
-void VtkSeries::go_on(std::vector<double> times) {
-  times_ = std::move(times);
-  const bool in_pieces = communicator_->distributed();
-  for (std::size_t i = 0; i < times_.size() && !in_pieces; ++i)
-    if (!std::filesystem::exists(folder_ / fields(i))) gone_.insert(i);
-  if (in_pieces && communicator_->rank() == 0) {
-    static const std::regex name(R"(fields_(\d{4,})(_\d+)?\.p?vtu)");
-    std::vector<std::filesystem::path> later;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-      const auto text = entry.path().filename().string();
-      if (std::smatch found; std::regex_match(text, found, name) && std::stoul(found[1]) >= times_.size())
-        later.push_back(entry.path());
-    }
-    for (const auto& path : later) std::filesystem::remove(path);
-  }
-  plate::wait_for_all(*communicator_);
-}
-
-std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> frames;
-  if (!std::filesystem::exists(folder / "fields.pvd")) return frames;
-  static const std::regex file("file=\"([^\"]+\\.vtu)\"");
-  const auto text = read_text(folder / "fields.pvd");
-  for (std::sregex_iterator found(text.begin(), text.end(), file), end; found != end; ++found)
-    frames.push_back(folder / (*found)[1].str());
-  return frames;
-}
-
-void write_cracks(const std::filesystem::path& path, const Cracks& cracks) {
-  write_atomically(path, vtp(cracks));
-}
-
-namespace {
 
 /// GridCells as VTK lists them: the points of all, where the points of each end, what each is.
 struct GridCells {
@@ -188,8 +135,7 @@ std::string fields_of(const Mesh& mesh, const Frame& frame) {
   return text;
 }
 
-}  // namespace
-
+/// The text of fields_NNNN.vtu. Throws std::invalid_argument where the values are not those of the points.
 std::string vtu(const Mesh& mesh, const Frame& frame) {
   const auto all = vertices(mesh);
   std::vector<double> positions;
@@ -204,6 +150,7 @@ std::string vtu(const Mesh& mesh, const Frame& frame) {
                               data_array("types", cells.types)));
 }
 
+/// The text of cracks.vtp.
 std::string vtp(const Cracks& cracks) {
   constexpr double none = -1;
   constexpr std::array<double, 3> unknown{NAN, NAN, NAN};
@@ -235,6 +182,58 @@ std::string vtp(const Cracks& cracks) {
                   data_array("tip", tips), data_array("K1", factors[0]), data_array("K2", factors[1]),
                   data_array("K3", factors[2]), data_array("crack", crack_of_cell), data_array("tip", tip_of_cell),
                   data_array("Points", positions, 3), ends.text(), lines.text()));
+}
+
+}  // namespace
+
+VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh, const plate::Communicator& communicator)
+    : folder_(std::move(folder)), mesh_(std::move(mesh)), communicator_(&communicator) {}
+
+void VtkSeries::write(const Frame& frame) {
+  const auto number = times_.size();
+  const bool in_pieces = communicator_->distributed();
+  write_atomically(folder_ / (in_pieces ? piece_name(number, communicator_->rank()) : fields(number)),
+                   vtu(mesh_, frame));
+  times_.push_back(frame.time);
+  plate::wait_for_all(*communicator_);
+  if (communicator_->rank() > 0) return;
+  if (in_pieces) write_atomically(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size()));
+  if (frame.cracks) write_atomically(folder_ / cracks(number), vtp(*frame.cracks));
+  write_atomically(folder_ / "fields.pvd", pvd(times_, in_pieces ? fields_in_pieces : fields, gone_));
+  if (frame.cracks) write_atomically(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
+}
+
+/// Pieces of later frames may be of more ranks than there are now.
+void VtkSeries::go_on(std::vector<double> times) {
+  times_ = std::move(times);
+  const bool in_pieces = communicator_->distributed();
+  for (std::size_t i = 0; i < times_.size() && !in_pieces; ++i)
+    if (!std::filesystem::exists(folder_ / fields(i))) gone_.insert(i);
+  if (in_pieces && communicator_->rank() == 0) {
+    static const std::regex name(R"(fields_(\d{4,})(_\d+)?\.p?vtu)");
+    std::vector<std::filesystem::path> later;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      const auto text = entry.path().filename().string();
+      if (std::smatch found; std::regex_match(text, found, name) && std::stoul(found[1]) >= times_.size())
+        later.push_back(entry.path());
+    }
+    for (const auto& path : later) std::filesystem::remove(path);
+  }
+  plate::wait_for_all(*communicator_);
+}
+
+std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> frames;
+  if (!std::filesystem::exists(folder / "fields.pvd")) return frames;
+  static const std::regex file("file=\"([^\"]+\\.vtu)\"");
+  const auto text = read_text(folder / "fields.pvd");
+  for (std::sregex_iterator found(text.begin(), text.end(), file), end; found != end; ++found)
+    frames.push_back(folder / (*found)[1].str());
+  return frames;
+}
+
+void write_cracks(const std::filesystem::path& path, const Cracks& cracks) {
+  write_atomically(path, vtp(cracks));
 }
 
 namespace {
