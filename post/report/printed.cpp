@@ -296,8 +296,8 @@ std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases) {
 Table envelope_table(const std::vector<EnvelopeEntry>& entries) {
   Table table{{"tip", "x", "y", "quantity", "value", "estimated_error", "case"}, {}};
   for (const auto& one : entries)
-    table.rows.push_back({double(one.tip), one.position.x(), one.position.y(), one.quantity, one.value,
-                          one.error ? Cell(*one.error) : Cell(), one.of});
+    table.rows.push_back(
+        {double(one.tip), one.position.x(), one.position.y(), one.quantity, one.value, cell(one.error), one.of});
   return table;
 }
 

@@ -86,7 +86,7 @@ Table response_table(const std::vector<Response>& all) {
   for (const auto& one : all) {
     const double degrees = std::arg(one.value) * 180 / std::numbers::pi;
     table.rows.push_back({one.frequency, one.place, one.quantity, one.resolved ? Cell(std::abs(one.value)) : Cell(),
-                          one.resolved ? Cell(degrees) : Cell(), one.error ? Cell(*one.error) : Cell()});
+                          one.resolved ? Cell(degrees) : Cell(), cell(one.error)});
   }
   return table;
 }
