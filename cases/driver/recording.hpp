@@ -7,6 +7,7 @@
 
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/run_plan.hpp"
+#include "plate/model/point_map.hpp"
 #include "post/files/recorder.hpp"
 
 namespace cases {

@@ -14,6 +14,7 @@
 
 #include "plate/model/wording.hpp"
 #include "post/files/atomic_file.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/report/html_page.hpp"
 #include "post/report/quantity.hpp"

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "plate/solve/interruption.hpp"
+#include "post/files/summary.hpp"
 #include "post/report/quantity.hpp"
 
 namespace cases {

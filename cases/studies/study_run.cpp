@@ -13,6 +13,7 @@
 #include "cases/studies/study_files.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/run_folder.hpp"
+#include "post/files/summary.hpp"
 #include "post/report/quantity.hpp"
 #include "post/report/terminal.hpp"
 

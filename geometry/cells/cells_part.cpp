@@ -5,91 +5,63 @@
 #include <numeric>
 #include <span>
 
+#include "geometry/cells/uncracked_cells.hpp"
+
 namespace geometry {
 namespace {
 
-template <typename Visit>
-void visit_cells(const Tessellation& cells, const Visit& visit) {
-  for (const auto& square : cells.squares) visit(square);
-  for (const auto& triangle : cells.triangles) visit(triangle);
+double off(std::size_t cut, std::size_t wanted) {
+  return std::abs(double(cut) - double(wanted));
 }
 
-template <typename Cell>
-bool any(const Cell& cell, const std::vector<char>& marked) {
-  return std::ranges::any_of(cell, [&](auto k) { return marked[k] != 0; });
+/// Index nearest to `wanted` at which the points, sorted along the axis, may be divided. Where there is none: `wanted`
+/// itself; along x the number of points.
+std::size_t nearest_cut(std::span<std::uint32_t> points, const Tessellation& cells, Eigen::Index axis,
+                        std::size_t wanted) {
+  const auto& x = cells.positions;
+  std::ranges::sort(points, {}, [&](std::uint32_t k) { return std::tuple(x[k][axis], x[k][1 - axis], k); });
+  const auto parts = [&](std::size_t i) {
+    const auto k = points[i], before = points[i - 1];
+    if (axis == 0 && !cells.graded) return column_block_of(cells, k) != column_block_of(cells, before);
+    return x[k][axis] != x[before][axis];
+  };
+  for (std::size_t away = 0; away < points.size(); ++away) {
+    if (wanted > away && parts(wanted - away)) return wanted - away;
+    if (wanted + away > 0 && wanted + away < points.size() && parts(wanted + away)) return wanted + away;
+  }
+  return axis == 0 ? points.size() : wanted;
 }
 
-/// Returns the marked points with all points that share a cell with one of them.
-std::vector<char> grown(const Tessellation& cells, const std::vector<char>& marked) {
-  auto result = marked;
-  visit_cells(cells, [&](const auto& cell) {
-    if (any(cell, marked))
-      for (const auto k : cell) result[k] = 1;
-  });
-  return result;
+/// Sorts the points, and says how many are of the lower share.
+std::size_t halved(std::span<std::uint32_t> points, const Tessellation& cells, double share) {
+  constexpr double of_rows = 1.5, most = 0.1;  // rows of points are long: forces are fastest along them
+  const auto& x = cells.positions;
+  Point low = x[points[0]], high = low;
+  for (const auto k : points) low = low.cwiseMin(x[k]), high = high.cwiseMax(x[k]);
+  const auto wanted = std::size_t(double(points.size()) * share + 0.5);
+  if ((high - low).x() > of_rows * (high - low).y())
+    if (const auto cut = nearest_cut(points, cells, 0, wanted); off(cut, wanted) <= most * double(points.size()))
+      return cut;
+  return nearest_cut(points, cells, 1, wanted);
 }
 
-class Sharing {
-public:
-  explicit Sharing(const Tessellation& cells) : cells_(cells), owners_(cells.positions.size(), 0) {}
-
-  void share_out(std::span<std::uint32_t> points, int first, int parts) {
-    if (parts == 1 || points.empty()) {
-      for (const auto k : points) owners_[k] = first;
-      return;
-    }
-    const int lower = parts / 2;
-    const auto cut = halved(points, double(lower) / parts);
-    share_out(points.first(cut), first, lower);
-    share_out(points.subspan(cut), first + lower, parts - lower);
+void share_out(std::span<std::uint32_t> points, const Tessellation& cells, int first, int parts,
+               std::vector<int>& owners) {
+  if (parts == 1 || points.empty()) {
+    for (const auto k : points) owners[k] = first;
+    return;
   }
-  std::vector<int> owners() && { return std::move(owners_); }
-
-private:
-  /// Sorts the points, and says how many are of the lower share.
-  std::size_t halved(std::span<std::uint32_t> points, double share) const {
-    constexpr double of_rows = 1.5, most = 0.1;  // rows of points are long: forces are fastest along them
-    const auto& x = cells_.positions;
-    Point low = x[points[0]], high = low;
-    for (const auto k : points) low = low.cwiseMin(x[k]), high = high.cwiseMax(x[k]);
-    const auto wanted = std::size_t(double(points.size()) * share + 0.5);
-    if ((high - low).x() > of_rows * (high - low).y())
-      if (const auto cut = nearest_cut(points, 0, wanted); off(cut, wanted) <= most * double(points.size())) return cut;
-    return nearest_cut(points, 1, wanted);
-  }
-
-  static double off(std::size_t cut, std::size_t wanted) { return std::abs(double(cut) - double(wanted)); }
-
-  /// Index nearest to `wanted` at which the points, sorted along the axis, may be divided. Where there is none:
-  /// `wanted` itself; along x the number of points.
-  std::size_t nearest_cut(std::span<std::uint32_t> points, Eigen::Index axis, std::size_t wanted) const {
-    const auto& x = cells_.positions;
-    std::ranges::sort(points, {}, [&](std::uint32_t k) { return std::tuple(x[k][axis], x[k][1 - axis], k); });
-    const auto parts = [&](std::size_t i) {
-      const auto k = points[i], before = points[i - 1];
-      if (axis == 0 && !cells_.graded) return column_block_of(cells_, k) != column_block_of(cells_, before);
-      return x[k][axis] != x[before][axis];
-    };
-    for (std::size_t away = 0; away < points.size(); ++away) {
-      if (wanted > away && parts(wanted - away)) return wanted - away;
-      if (wanted + away > 0 && wanted + away < points.size() && parts(wanted + away)) return wanted + away;
-    }
-    return axis == 0 ? points.size() : wanted;
-  }
-
-  const Tessellation& cells_;
-  std::vector<int> owners_;
-};
+  const int lower = parts / 2;
+  const auto cut = halved(points, cells, double(lower) / parts);
+  share_out(points.first(cut), cells, first, lower, owners);
+  share_out(points.subspan(cut), cells, first + lower, parts - lower, owners);
+}
 
 }  // namespace
 
 CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
   for (int ring = 0; ring < 2; ++ring) wanted = grown(whole, wanted);
-  std::vector<char> taken(wanted.size(), 0);
-  visit_cells(whole, [&](const auto& cell) {
-    if (any(cell, wanted))
-      for (const auto k : cell) taken[k] = 1;
-  });
+  const auto taken = grown(whole, wanted);  // every point has a cell
   CellsPart result{{whole.units, whole.graded, {}, {}, {}, {}, whole.names, {}}, {}};
   auto& part = result.cells;
   std::vector<std::uint32_t> place(wanted.size(), 0);
@@ -100,7 +72,7 @@ CellsPart cells_about(const Tessellation& whole, std::vector<char> wanted) {
     part.positions.push_back(whole.positions[k]), part.local.push_back(whole.local[k]);
   }
   const auto take = [&](auto cell, auto& cells) {
-    if (!any(cell, wanted)) return;
+    if (std::ranges::none_of(cell, [&](auto k) { return wanted[k] != 0; })) return;
     for (auto& k : cell) k = place[k];
     cells.push_back(cell);
   };
@@ -122,9 +94,9 @@ long column_block_of(const Tessellation& cells, std::size_t k) {
 std::vector<int> shared_out(const Tessellation& cells, int parts) {
   std::vector<std::uint32_t> points(cells.positions.size());
   std::iota(points.begin(), points.end(), 0);
-  Sharing sharing(cells);
-  sharing.share_out(points, 0, parts);
-  return std::move(sharing).owners();
+  std::vector<int> owners(points.size(), 0);
+  share_out(points, cells, 0, parts, owners);
+  return owners;
 }
 
 }  // namespace geometry

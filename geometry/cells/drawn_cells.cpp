@@ -6,7 +6,6 @@
 #include <map>
 #include <numbers>
 #include <span>
-#include <utility>
 
 #include "geometry/cells/lattice_cells.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -61,37 +60,17 @@ void add_crossed(const Point& a, const Point& b, std::vector<Point>& crossed) {
   }
 }
 
-/// Cells that have a corner at each of the wanted points.
-class Cornered {
-public:
-  Cornered(const Cells& cells, const std::vector<char>& wanted) : first_(wanted.size() + 1, 0) {
-    for (const bool fills : {false, true}) {
-      for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
-        for (std::size_t c = 0; c < count; ++c)
-          if (wanted[corner[c]]) {
-            if (fills)
-              cells_[first_[corner[c]]++] = {corner, count};
-            else
-              ++first_[corner[c]];
-          }
-      });
-      if (fills) break;
-      std::size_t sum = 0;
-      for (auto& first : first_) sum += std::exchange(first, sum);
-      cells_.resize(sum);
-    }
-  }
-  using Cell = std::span<const std::uint32_t>;
-  /// The cells of a point.
-  std::span<const Cell> of(std::uint32_t k) const {
-    const auto begin = k == 0 ? 0 : first_[k - 1];  // filled up to the next one's begin
-    return {cells_.data() + begin, first_[k] - begin};
-  }
+using Corners = std::span<const std::uint32_t>;  // of a cell
 
-private:
-  std::vector<std::size_t> first_;
-  std::vector<Cell> cells_;
-};
+/// Cells that have a corner at each of the wanted points.
+Grouped<Corners> cells_at(const std::vector<char>& wanted, const Cells& cells) {
+  return {wanted.size(), [&](const auto& visit) {
+            for_cells(cells, [&](const Corners& corners) {
+              for (const auto k : corners)
+                if (wanted[k]) visit(k, corners);
+            });
+          }};
+}
 
 class Drawing {
 public:
@@ -110,21 +89,13 @@ public:
       result.corners.push_back({units.from_lattice(cells_.positions[k] - half), {}});
       wanted[k] = 1;
     }
-    for (int ring = 0; ring < 2; ++ring) {  // what is seen lies two cells away at most, save beside narrow places
-      auto wider = wanted;
-      for_cells(cells_, [&](const std::uint32_t* corner, std::size_t corners) {
-        if (std::any_of(corner, corner + corners, [&](auto k) { return wanted[k]; }))
-          for (std::size_t c = 0; c < corners; ++c) wider[corner[c]] = 1;
-      });
-      wanted = std::move(wider);
-    }
-    const Cornered about(cells_, wanted);
+    for (int ring = 0; ring < 2; ++ring)  // what is seen lies two cells away at most, save beside narrow places
+      wanted = grown(cells_, wanted);
+    const auto about = cells_at(wanted, cells_);
     for (std::uint32_t k = 0; k < point_.size(); ++k)
       if (point_[k] == none) result.corners[number[k] - count].seen = seen(k, about);
     result.squares = cells_.squares, result.triangles = cells_.triangles;
-    for_cells(result, [&](std::uint32_t* corner, std::size_t corners) {
-      for (std::size_t c = 0; c < corners; ++c) corner[c] = number[corner[c]];
-    });
+    for_corners(result, [&](std::uint32_t& k) { k = number[k]; });
     return result;
   }
 
@@ -150,17 +121,17 @@ private:
         corners.push_back(corner_of[p]);
         for (const auto k : corners) wanted[k] = 1;
       }
-      const Cornered about(cells_, wanted);
+      const auto about = cells_at(wanted, cells_);
       for (const auto& [p, corners] : several)
         for (const auto k : corners)
-          if (std::ranges::any_of(about.of(k), [&](const auto& cell) { return ahead(cell, k); })) corner_of[p] = k;
+          if (std::ranges::any_of(about[k], [&](const auto& cell) { return ahead(cell, k); })) corner_of[p] = k;
     }
     for (std::uint32_t p = 0; p < corner_of.size(); ++p)
       if (corner_of[p] != none) point_[corner_of[p]] = p;
   }
 
   /// True where the cell lies about x + (e, e^2), with x its corner k.
-  bool ahead(const Cornered::Cell& cell, std::uint32_t k) const {
+  bool ahead(const Corners& cell, std::uint32_t k) const {
     const auto c = std::size_t(std::ranges::find(cell, k) - cell.begin());
     const Point& x = cells_.positions[k];
     const Point next = cells_.positions[cell[(c + 1) % cell.size()]] - x;
@@ -170,7 +141,7 @@ private:
   }
 
   /// Points within two cells of a corner; where there is none, further along the cells; at last the nearest.
-  std::vector<std::uint32_t> seen(std::uint32_t corner, const Cornered& about) const {
+  std::vector<std::uint32_t> seen(std::uint32_t corner, const Grouped<Corners>& about) const {
     constexpr double reach = 2.5;
     constexpr int rings = 2, most_rings = 8;
     const Point& x = cells_.positions[corner];
@@ -178,7 +149,7 @@ private:
     std::size_t begin = 0;
     for (int ring = 0; ring < rings || (ring < most_rings && found.empty()); ++ring)
       for (const auto end = known.size(); begin < end; ++begin)
-        for (const auto& cell : about.of(known[begin]))
+        for (const auto& cell : about[known[begin]])
           for (const auto k : cell) {
             if (std::ranges::find(known, k) != known.end()) continue;
             known.push_back(k);

@@ -11,12 +11,6 @@ namespace {
 
 using Square = Tessellation::Square;
 
-void keep_once(auto& values) {
-  std::ranges::sort(values);
-  const auto again = std::ranges::unique(values);
-  values.erase(again.begin(), again.end());
-}
-
 /// The cells that cracks may part or that points may be left without, and what there is of them before that.
 struct Band {
   std::vector<std::pair<long, long>> places;  // of its squares: row, column
@@ -48,9 +42,7 @@ Band band_of(const LatticeCells& all) {
   }
   keep_once(result.number);
   cells.triangles = all.triangles, cells.pieces = all.pieces;
-  for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) corner[c] = result.index(corner[c]);
-  });
+  for_corners(cells, [&](std::uint32_t& k) { k = result.index(k); });
   for (auto& piece : cells.pieces) piece.from = result.index(piece.from), piece.to = result.index(piece.to);
   for (const auto k : result.number) cells.positions.push_back(all.position(k));
   return result;
@@ -91,9 +83,9 @@ void GlobalLattice::part(LatticeCells all) {
     else
       gone.push_back(band.number[i]);
   const auto of_lattice = std::ranges::lower_bound(gone, all.points.size()) - gone.begin();
-  points_ = all.points.except(std::span(gone).first(std::size_t(of_lattice)));
+  lattice_.points = all.points.except(std::span(gone).first(std::size_t(of_lattice)));
   for (std::uint32_t n = 0; n < all.others.size(); ++n)
-    if (!std::ranges::binary_search(gone, all.points.size() + n)) others_.push_back(all.others[n]);
+    if (!std::ranges::binary_search(gone, all.points.size() + n)) lattice_.others.push_back(all.others[n]);
   std::vector<std::uint32_t> number;
   for (std::size_t k = 0; k < kept; ++k) {
     const auto before = band.number[origin[k]];
@@ -101,7 +93,7 @@ void GlobalLattice::part(LatticeCells all) {
   }
   for (std::size_t k = kept; k < origin.size(); ++k) {
     number.push_back(std::uint32_t(size()));
-    others_.push_back(cells.positions[k]);
+    lattice_.others.push_back(cells.positions[k]);
   }
   borders_ = borders(cells, origin);
   for (auto& border : borders_) border.from = number[border.from], border.to = number[border.to];
@@ -109,33 +101,24 @@ void GlobalLattice::part(LatticeCells all) {
     for (std::size_t c = 0; c < 3; ++c)
       longest_side_ =
           std::max(longest_side_, (cells.positions[corner[c]] - cells.positions[corner[(c + 1) % 3]]).norm());
-  geometry::for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) corner[c] = number[corner[c]];
-  });
+  for_corners(cells, [&](std::uint32_t& k) { k = number[k]; });
   for (std::size_t s = 0; s < cells.squares.size(); ++s)
-    if (std::ranges::any_of(cells.squares[s], [&](auto k) { return k >= points_.size(); }))
+    if (std::ranges::any_of(cells.squares[s], [&](auto k) { return k >= lattice_.points.size(); }))
       parted_.emplace_back(band.places[s], cells.squares[s]);
-  squares_ = std::move(all.squares), triangles_ = std::move(cells.triangles);
+  lattice_.squares = std::move(all.squares), lattice_.triangles = std::move(cells.triangles);
 }
 
 Square GlobalLattice::square(long i, long j) const {
   const auto found = std::ranges::lower_bound(parted_, std::pair(j, i), {}, &AtPlace::first);
   if (found != parted_.end() && found->first == std::pair(j, i)) return found->second;
-  const auto below = *points_.at(i, j), above = *points_.at(i, j + 1);
-  return {below, below + 1, above + 1, above};
-}
-
-Point GlobalLattice::place(std::uint32_t k) const {
-  if (k >= points_.size()) return others_[k - points_.size()];
-  const auto [i, j] = points_.place(k);
-  return {double(i), double(j)};
+  return lattice_.square(i, j);
 }
 
 Cell GlobalLattice::last() const {
   Point high(0, 0);
-  for (const auto& u : others_) high = high.cwiseMax(u);
-  for (long j = 0; j < points_.rows(); ++j)
-    if (const auto row = points_.row(j); !row.empty())
+  for (const auto& u : lattice_.others) high = high.cwiseMax(u);
+  for (long j = 0; j < lattice_.points.rows(); ++j)
+    if (const auto row = lattice_.points.row(j); !row.empty())
       high = high.cwiseMax(Point(double(row.back().to - 1), double(j)));
   const Point u = (units_.from_lattice(high) - units_.origin) / units_.spacing;
   return {long(u.x()), long(u.y())};
@@ -147,11 +130,11 @@ Tessellation GlobalLattice::cells() const {
 }
 
 bool GlobalLattice::inside(long i, long j) const {
-  const auto own = points_.at(i, j);
+  const auto own = lattice_.points.at(i, j);
   if (!own) return false;
   for (const long row : {j - 1, j})
     for (const long column : {i - 1, i}) {
-      if (!squares_.run_at(column, row)) return false;
+      if (!lattice_.squares.run_at(column, row)) return false;
       const auto corners = square(column, row);
       if (std::ranges::find(corners, *own) == corners.end()) return false;
     }
@@ -159,9 +142,9 @@ bool GlobalLattice::inside(long i, long j) const {
 }
 
 std::optional<Cell> GlobalLattice::first_inside() const {
-  for (long j = 2; j + 1 < squares_.rows(); ++j) {
-    auto columns = squares_.columns(j - 2);
-    for (long row = j - 1; row <= j + 1; ++row) columns = common(columns, squares_.columns(row));
+  for (long j = 2; j + 1 < lattice_.squares.rows(); ++j) {
+    auto columns = lattice_.squares.columns(j - 2);
+    for (long row = j - 1; row <= j + 1; ++row) columns = common(columns, lattice_.squares.columns(row));
     for (const auto& [from, to] : columns)
       for (long i = from + 2; i + 2 <= to; ++i) {
         bool all = true;
@@ -177,7 +160,7 @@ std::optional<Cell> GlobalLattice::first_inside() const {
 class CellsAt {
 public:
   CellsAt(const GlobalLattice& global, const CellBox& box) : global_(global), box_(box) {
-    for (const auto& triangle : global.triangles_)
+    for (const auto& triangle : global.lattice_.triangles)
       if (std::ranges::any_of(triangle, [&](auto k) { return box.contains(cell_of(place(k))); }))
         triangles_.push_back(triangle);
     choose_points();
@@ -205,14 +188,14 @@ private:
     std::uint32_t number, local;
   };
 
-  Point place(std::uint32_t k) const { return global_.place(k); }
+  Point place(std::uint32_t k) const { return global_.lattice_.position(k); }
 
   /// Collects all points that may be corners.
   void choose_points() {
     Cell low{box_.low[0] - 1, box_.low[1] - 1}, high{box_.high[0] + 1, box_.high[1] + 1};
     const auto take = [&](const auto& cell) {
       for (const auto k : cell)
-        if (k >= global_.points_.size()) others_.push_back(k);
+        if (k >= global_.lattice_.points.size()) others_.push_back(k);
     };
     for (const auto& triangle : triangles_) {
       take(triangle);
@@ -224,11 +207,9 @@ private:
     }
     for (const auto& [at, square] : global_.parted_)
       if (has(at.second, at.first)) take(square);
-    std::ranges::sort(others_);
-    const auto again = std::ranges::unique(others_);
-    others_.erase(again.begin(), again.end());
-    for (long j = std::max(0L, low[1]); j < std::min(high[1], global_.points_.rows()); ++j)
-      for (const auto& run : global_.points_.row(j)) {
+    keep_once(others_);
+    for (long j = std::max(0L, low[1]); j < std::min(high[1], global_.lattice_.points.rows()); ++j)
+      for (const auto& run : global_.lattice_.points.row(j)) {
         const long from = std::max(long(run.from), low[0]), to = std::min(long(run.to), high[0]);
         if (from >= to) continue;
         row_pieces_.push_back({from, to, j, run.number + std::uint32_t(from - run.from), of_lattice_});
@@ -244,7 +225,7 @@ private:
 
   /// Index among the points that may be corners; none: it may not.
   std::uint32_t local(std::uint32_t k) const {
-    if (k >= global_.points_.size()) {
+    if (k >= global_.lattice_.points.size()) {
       const auto found = std::ranges::lower_bound(others_, k);
       return found != others_.end() && *found == k ? of_lattice_ + std::uint32_t(found - others_.begin()) : none;
     }
@@ -262,8 +243,8 @@ private:
 
   void add_squares() {
     auto& squares = result_.cells.squares;
-    for (long j = std::max(0L, box_.low[1] - 1); j < std::min(box_.high[1], global_.squares_.rows()); ++j)
-      for (const auto& run : global_.squares_.row(j)) {
+    for (long j = std::max(0L, box_.low[1] - 1); j < std::min(box_.high[1], global_.lattice_.squares.rows()); ++j)
+      for (const auto& run : global_.lattice_.squares.row(j)) {
         const long from = std::max(long(run.from), box_.low[0] - 1), to = std::min(long(run.to), box_.high[0]);
         if (from >= to) continue;
         const auto below = local(from, j), above = local(from, j + 1);
@@ -280,11 +261,7 @@ private:
   /// Keeps those candidate points that are corners of cells, and renumbers the corners.
   void keep_corners() {
     auto& cells = result_.cells;
-    const auto for_corners = [&](const auto& visit) {
-      for (auto& square : cells.squares) std::ranges::for_each(square, visit);
-      for (auto& triangle : cells.triangles) std::ranges::for_each(triangle, visit);
-    };
-    for_corners([&](std::uint32_t& k) { used_[k] = 0; });
+    for_corners(cells, [&](std::uint32_t k) { used_[k] = 0; });
     const auto count = std::size_t(std::ranges::count(used_, 0U));
     cells.positions.reserve(count), cells.local.reserve(count), result_.number.reserve(count);
     const auto add = [&](std::uint32_t at, std::uint32_t number, const Point& u) {
@@ -298,7 +275,7 @@ private:
       for (std::uint32_t n = 0; n < std::uint32_t(to - from); ++n)
         add(first + n, number + n, {double(from + n), double(row)});
     for (std::uint32_t n = 0; n < others_.size(); ++n) add(of_lattice_ + n, others_[n], place(others_[n]));
-    for_corners([&](std::uint32_t& k) { k = used_[k]; });
+    for_corners(cells, [&](std::uint32_t& k) { k = used_[k]; });
   }
 
   std::uint32_t here(std::uint32_t k) const {

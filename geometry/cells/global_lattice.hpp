@@ -13,10 +13,10 @@ public:
                 const std::vector<Point>& singles);
 
   const LatticeUnits& units() const { return units_; }
-  std::size_t size() const { return points_.size() + others_.size(); }
+  std::size_t size() const { return lattice_.points.size() + lattice_.others.size(); }
   /// Lattice points, and the others, which are numbered after these [spacings].
-  const RowRuns& points() const { return points_; }
-  const std::vector<Point>& others() const { return others_; }
+  const RowRuns& points() const { return lattice_.points; }
+  const std::vector<Point>& others() const { return lattice_.others; }
   /// The longest side of a triangle [spacings]; of a square, where there is none.
   double longest_side() const { return longest_side_; }
   /// The column and row of the last points.
@@ -34,14 +34,11 @@ private:
 
   void part(LatticeCells cells);
   Tessellation::Square square(long i, long j) const;
-  Point place(std::uint32_t k) const;  // [spacings]
-  bool inside(long i, long j) const;   // have four squares this point of the lattice?
+  bool inside(long i, long j) const;  // have four squares this point of the lattice?
 
   LatticeUnits units_;
-  RowRuns points_, squares_;
-  std::vector<Point> others_;
+  LatticeCells lattice_;         // without the pieces of curves
   std::vector<AtPlace> parted_;  // squares with corners that are no points of the lattice, row by row
-  std::vector<Tessellation::Triangle> triangles_;
   std::vector<Tessellation::Border> borders_;
   std::vector<std::string> names_;
   double longest_side_ = 1;

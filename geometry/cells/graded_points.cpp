@@ -1,11 +1,11 @@
-#include "geometry/cells/graded_points.hpp"
+#include "geometry/cells/uncracked_cells.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include "geometry/cells/uncracked_cells.hpp"
+#include "geometry/cells/triangulation.hpp"
 #include "geometry/shape/predicates.hpp"
 
 namespace geometry {
@@ -70,8 +70,8 @@ void add_ring(TriangleMesh& mesh, const Sizing& sizing, const Point& tip, const 
   }
 }
 
-}  // namespace
-
+/// Adds points in rings about the ends of cracks, as far apart as wanted, until they are as far apart as anywhere else:
+/// so the triangles about a tip are nearly equal, and the same on both sides of the crack.
 void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, const std::vector<Point>& tips) {
   for (const auto& tip : tips) {
     const auto from = neighbour(curves, tip);
@@ -92,6 +92,8 @@ void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, c
   }
 }
 
+/// Adds rings of points about a place in the plate. `away`: a unit vector along which other centres do not disturb the
+/// rings.
 void add_rings(TriangleMesh& mesh, const Sizing& sizing, const Point& place, const Point& away) {
   const auto start = mesh.locate(place, 0, false).triangle;
   if (start == TriangleMesh::none) return;
@@ -106,9 +108,9 @@ void add_rings(TriangleMesh& mesh, const Sizing& sizing, const Point& place, con
   }
 }
 
+/// Adds points in rows of equilateral triangles wherever one spacing is wanted.
 void add_rows(TriangleMesh& mesh, const Sizing& sizing) {
-  Point low = mesh.points().front(), high = low;
-  for (const auto& x : mesh.points()) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  const auto [low, high] = bounding_box(mesh.points());
   const double height = std::sqrt(0.75);
   std::int32_t at = 0;
   bool shifted = false;
@@ -117,8 +119,8 @@ void add_rows(TriangleMesh& mesh, const Sizing& sizing) {
       if (sizing({x, y}) >= 1) add(mesh, {x, y}, 1, at);
 }
 
-namespace {
-
+/// Adds points where triangles are larger than wanted or have angles below 20.7 degrees, as far as the angles between
+/// curves allow that and features are not smaller than 1/64 of what is wanted.
 class Refinement {
 public:
   Refinement(TriangleMesh& mesh, const Sizing& sizing) : mesh_(mesh), sizing_(sizing) {}
@@ -221,38 +223,24 @@ std::vector<char> nodes_of(const Curves& curves, const TriangleMesh& mesh) {
 class Stars {
 public:
   Stars(const TriangleMesh& mesh, const std::vector<char>& fixed)
-      : first_(mesh.points().size() + 1, 0), free_(mesh.points().size(), 1) {
+      : free_(mesh.points().size(), 1), opposite_(mesh.points().size(), [&](const auto& visit) {
+          for (const auto& [corner, across, mark, inside] : mesh.triangles())
+            for (std::size_t i = 0; inside && i < 3; ++i)
+              visit(corner[i], std::pair(corner[(i + 1) % 3], corner[(i + 2) % 3]));
+        }) {
     for (std::size_t k = 0; k < fixed.size(); ++k) free_[k] = !fixed[k];
-    for (const auto& triangle : mesh.triangles()) {
-      if (!triangle.inside) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        ++first_[triangle.corner[i] + 1];
-        if (triangle.mark[i] == TriangleMesh::unmarked) continue;
-        free_[triangle.corner[(i + 1) % 3]] = free_[triangle.corner[(i + 2) % 3]] = 0;
-      }
-    }
-    for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
-    opposite_.resize(first_.back());
-    auto next = first_;
-    for (const auto& triangle : mesh.triangles()) {
-      if (!triangle.inside) continue;
-      const auto& corner = triangle.corner;
-      for (std::size_t i = 0; i < 3; ++i) opposite_[next[corner[i]]++] = {corner[(i + 1) % 3], corner[(i + 2) % 3]};
-    }
+    for (const auto& [corner, across, mark, inside] : mesh.triangles())
+      for (std::size_t i = 0; inside && i < 3; ++i)
+        if (mark[i] != TriangleMesh::unmarked) free_[corner[(i + 1) % 3]] = free_[corner[(i + 2) % 3]] = 0;
   }
 
-  bool is_free(std::uint32_t k) const { return free_[k] && first_[k] < first_[k + 1]; }
-
-  /// Calls visit(a, b) for the sides opposite to k.
-  template <typename Visit>
-  void about(std::uint32_t k, const Visit& visit) const {
-    for (auto i = first_[k]; i < first_[k + 1]; ++i) visit(opposite_[i].first, opposite_[i].second);
-  }
+  bool is_free(std::uint32_t k) const { return free_[k] && !opposite_[k].empty(); }
+  /// The sides opposite to k.
+  auto about(std::uint32_t k) const { return opposite_[k]; }
 
 private:
-  std::vector<std::size_t> first_;
   std::vector<char> free_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> opposite_;
+  Grouped<std::pair<std::uint32_t, std::uint32_t>> opposite_;
 };
 
 /// Area over the sum of the squared sides: 0 where flat, negative where turned over.
@@ -260,12 +248,7 @@ double quality(const Point& a, const Point& b, const Point& c) {
   return cross(b - a, c - a) / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
 }
 
-}  // namespace
-
-void refine(TriangleMesh& mesh, const Sizing& sizing) {
-  Refinement(mesh, sizing).run();
-}
-
+/// Moves points that are on no curve, and none of its nodes, to the middle of the triangles about them.
 void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
   const auto fixed = nodes_of(curves, mesh);
   std::vector<double> size;
@@ -278,18 +261,17 @@ void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
       const Point x = points[k];
       Point sum(0, 0);
       double weights = 0, worst = 1;
-      stars.about(k, [&](std::uint32_t a, std::uint32_t b) {
+      for (const auto& [a, b] : stars.about(k)) {
         // centroids by mass, where the density of points goes with 1 / size^2 (Lloyd: by 1 / size^4)
         const double mean = (size[k] + size[a] + size[b]) / 3, square = mean * mean;
         const double weight = cross(points[a] - x, points[b] - x) / (square * square);
         sum += weight * ((points[a] - x) + (points[b] - x)) / 3, weights += weight;
         worst = std::min(worst, quality(x, points[a], points[b]));
-      });
+      }
       const Point to = x + 1.2 * sum / weights;
       double least = 1;
-      stars.about(k, [&](std::uint32_t a, std::uint32_t b) {
+      for (const auto& [a, b] : stars.about(k))
         least = std::min(least, side(to, points[a], points[b]) > 0 ? quality(to, points[a], points[b]) : -1);
-      });
       if (least < std::min(worst, 0.15) || least <= 0) continue;
       mesh.move(k, to);
       size[k] = sizing(to);
@@ -298,14 +280,12 @@ void smooth(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing) {
   }
 }
 
-namespace {
-
 TriangleMesh filled(const Curves& curves, const Sizing& sizing, const RingCentres& centres) {
   TriangleMesh mesh(curves);
   add_rings(mesh, curves, sizing, centres.tips);
   for (const auto& [place, away] : centres.forces) add_rings(mesh, sizing, place, away);
   add_rows(mesh, sizing);
-  refine(mesh, sizing);
+  Refinement(mesh, sizing).run();
   smooth(mesh, curves, sizing);
   return mesh;
 }

@@ -162,9 +162,7 @@ NearCurves::NearCurves(const Curves& curves, double clearance, long columns, lon
   std::ranges::sort(marks_, {}, [](const Mark& one) { return std::tuple(one.row, one.column, !one.left_out); });
   const auto again = std::ranges::unique(marks_, {}, key);  // of several the first, which leaves out where any does
   marks_.erase(again.begin(), again.end());
-  std::ranges::sort(blocked_);
-  const auto twice = std::ranges::unique(blocked_);
-  blocked_.erase(twice.begin(), twice.end());
+  keep_once(blocked_);
 }
 
 std::span<const NearCurves::Mark> NearCurves::row(long j) const {

@@ -124,58 +124,40 @@ Tessellation tessellation(const Outline& outline, const std::vector<CrackPath>& 
 
 namespace {
 
-/// Calls visit(corners, count) for every cell.
-template <typename Visit>
-void for_cells(const Tessellation& cells, const Visit& visit) {
-  for (const auto& square : cells.squares) visit(square.data(), std::size_t(4));
-  for (const auto& triangle : cells.triangles) visit(triangle.data(), std::size_t(3));
+/// The other corners of the cells about every point.
+Grouped<std::uint32_t> members_of(const Tessellation& cells) {
+  return {cells.local.size(), [&](const auto& visit) {
+            for_cells(cells, [&](const auto& corners) {
+              for (std::size_t c = 0; c < corners.size(); ++c)
+                for (std::size_t other = 1; other < corners.size(); ++other)
+                  visit(corners[c], corners[(c + other) % corners.size()]);
+            });
+          }};
 }
 
-/// The other corners of the cells about every point.
-class Members {
-public:
-  explicit Members(const Tessellation& cells) : first_(cells.local.size() + 1, 0) {
-    for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
-      for (std::size_t c = 0; c < count; ++c) first_[corner[c] + 1] += count - 1;
-    });
-    for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
-    member_.resize(first_.back());
-    auto next = first_;
-    for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
-      for (std::size_t c = 0; c < count; ++c)
-        for (std::size_t other = 1; other < count; ++other) member_[next[corner[c]]++] = corner[(c + other) % count];
-    });
-  }
-
-  /// Ascending, each once.
-  void list(std::uint32_t k, std::vector<std::uint32_t>& found) const {
-    found.assign(member_.begin() + std::ptrdiff_t(first_[k]), member_.begin() + std::ptrdiff_t(first_[k + 1]));
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-  }
-
-private:
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> member_;
-};
+/// Ascending, each once.
+void list(std::span<const std::uint32_t> members, std::vector<std::uint32_t>& found) {
+  found.assign(members.begin(), members.end());
+  keep_once(found);
+}
 
 }  // namespace
 
 Families cell_families(const Tessellation& cells) {
   if (cells.squares.empty()) return exact_cell_families(cells);
-  const Members members(cells);
+  const auto members = members_of(cells);
   return families(cells.units.spacing, cells.local,
-                  [&](std::uint32_t k, std::vector<std::uint32_t>& found) { members.list(k, found); });
+                  [&](std::uint32_t k, std::vector<std::uint32_t>& found) { list(members[k], found); });
 }
 
 Families exact_cell_families(const Tessellation& cells) {
-  const Members members(cells);
+  const auto members = members_of(cells);
   std::vector<Point> vectors;
   std::vector<std::uint32_t> pattern, found;
   std::vector<std::size_t> first{0};
   std::vector<Families::Step> steps;
   for (std::uint32_t k = 0; k < cells.local.size(); ++k) {
-    members.list(k, found);
+    list(members[k], found);
     for (const auto j : found) {
       steps.push_back({std::int32_t(j - k), std::uint32_t(vectors.size())});
       vectors.push_back(cells.local[j] - cells.local[k]);
@@ -214,23 +196,16 @@ CellLocator::CellLocator(const Tessellation& cells) : cells_(cells) {
   last_ = cells.window ? cells.window->last : high_;
   const auto for_buckets = [&](const auto& visit) {
     std::uint32_t cell = 0;
-    const auto of = [&](const auto& corners) {
+    for_cells(cells, [&](const auto& corners) {
       Point from = in_buckets(corners[0]), to = from;
       for (const auto k : corners) from = from.cwiseMin(in_buckets(k)), to = to.cwiseMax(in_buckets(k));
       for (long row = std::max(low_[1], long(from.y())); row <= std::min(high_[1], long(to.y())); ++row)
         for (long column = std::max(low_[0], long(from.x())); column <= std::min(high_[0], long(to.x())); ++column)
           visit(std::size_t(bucket(column, row)), cell);
       ++cell;
-    };
-    for (const auto& square : cells.squares) of(square);
-    for (const auto& triangle : cells.triangles) of(triangle);
+    });
   };
-  first_.assign(std::size_t(width() * (high_[1] - low_[1] + 1)) + 1, 0);
-  for_buckets([&](std::size_t b, std::uint32_t) { ++first_[b + 1]; });
-  for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
-  members_.resize(first_.back());
-  auto next = first_;
-  for_buckets([&](std::size_t b, std::uint32_t cell) { members_[next[b]++] = cell; });
+  members_ = {std::size_t(width() * (high_[1] - low_[1] + 1)), for_buckets};
 }
 
 CellLocator::Found CellLocator::weighted(std::uint32_t cell, const Point& at) const {
@@ -255,15 +230,15 @@ CellLocator::Found CellLocator::operator()(const Point& seen, const Point& at) c
   for (long reach = 0; std::isinf(least) && reach <= std::max(last_[0], last_[1]); ++reach)
     for (long r = std::max(low_[1], row - reach); r <= std::min(high_[1], row + reach); ++r)
       for (long c = std::max(low_[0], column - reach); c <= std::min(high_[0], column + reach); ++c)
-        for (auto m = first_[std::size_t(bucket(c, r))]; m < first_[std::size_t(bucket(c, r)) + 1]; ++m) {
+        for (const auto cell : members_[std::size_t(bucket(c, r))]) {
           // how far inside, by the nearest side; of a square, the weights would be products
-          auto found = weighted(members_[m], seen);
+          auto found = weighted(cell, seen);
           if (found.count == 4) {
             const double s = found.weights[1] + found.weights[2], t = found.weights[2] + found.weights[3];
             found.weights = {s, t, 1 - s, 1 - t};
           }
           const double inside = *std::min_element(found.weights.begin(), found.weights.begin() + long(found.count));
-          if (inside > least) least = inside, best = members_[m];
+          if (inside > least) least = inside, best = cell;
         }
   return weighted(best, at);
 }
@@ -275,10 +250,9 @@ const double packing = 2 / std::sqrt(3.0);  // of equilateral triangles
 
 double perimeter(const Hole& hole) {
   if (const auto* circle = std::get_if<Circle>(&hole)) return 2 * pi * circle->radius;
-  const auto& vertices = std::get<Polygon>(hole).vertices;
-  double sum = 0;
-  for (std::size_t i = 0; i < vertices.size(); ++i) sum += (vertices[(i + 1) % vertices.size()] - vertices[i]).norm();
-  return sum;
+  auto ring = std::get<Polygon>(hole).vertices;
+  ring.push_back(ring.front());
+  return length(ring);
 }
 
 /// Integral of 2 pi r / s^2 - 2 pi r / spacing^2 with s = least + growth r, until s is the spacing.

@@ -3,6 +3,7 @@
 
 #include "geometry/lattice/curves.hpp"
 #include "geometry/lattice/families.hpp"
+#include "geometry/lattice/grouped.hpp"
 
 namespace geometry {
 
@@ -103,10 +104,9 @@ private:
   long bucket(long column, long row) const { return (row - low_[1]) * width() + column - low_[0]; }
 
   const Tessellation& cells_;
-  Cell low_, high_;                     // the first and last columns and rows of buckets
-  Cell last_;                           // of the whole plate
-  std::vector<std::size_t> first_;      // per bucket, one spacing wide
-  std::vector<std::uint32_t> members_;  // squares, then triangles
+  Cell low_, high_;                 // the first and last columns and rows of buckets
+  Cell last_;                       // of the whole plate
+  Grouped<std::uint32_t> members_;  // of buckets, one spacing wide: numbers of squares, then of triangles
 };
 
 /// Estimates the number of points of a plate from its area, and from the integral of what graded points have more about

@@ -9,6 +9,11 @@
 namespace geometry {
 namespace {
 
+/// Returns the key of the side between two corners, equal for both directions.
+std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
+}
+
 struct Corner {
   std::uint32_t* point;         // in its cell
   std::uint32_t before, after;  // the corners next to it
@@ -52,10 +57,11 @@ std::vector<std::uint32_t> part_cells(Cells& cells) {
   std::iota(origin.begin(), origin.end(), 0);
   std::vector<char> curved(cells.positions.size(), 0);
   for (const auto& [k, corners] : on_curves) curved[k] = 1;
-  for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
+  for_cells(cells, [&](const auto& corners) {
+    const auto count = corners.size();
     for (std::size_t c = 0; c < count; ++c)
-      if (curved[corner[c]])
-        on_curves[corner[c]].push_back({corner + c, corner[(c + count - 1) % count], corner[(c + 1) % count]});
+      if (curved[corners[c]])
+        on_curves[corners[c]].push_back({&corners[c], corners[(c + count - 1) % count], corners[(c + 1) % count]});
   });
   for (auto& [k, corners] : on_curves) {
     const auto count = parts(corners, k, cracks);
@@ -73,9 +79,7 @@ std::vector<std::uint32_t> part_cells(Cells& cells) {
 void compact(Cells& cells, std::vector<std::uint32_t>& origin) {
   constexpr auto unused = std::uint32_t(-1);
   std::vector<std::uint32_t> index(cells.positions.size(), unused);
-  for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) index[corner[c]] = 0;
-  });
+  for_corners(cells, [&](std::uint32_t k) { index[k] = 0; });
   std::uint32_t next = 0;
   for (std::size_t k = 0; k < index.size(); ++k)
     if (index[k] != unused) {
@@ -83,9 +87,7 @@ void compact(Cells& cells, std::vector<std::uint32_t>& origin) {
       index[k] = next++;
     }
   cells.positions.resize(next), origin.resize(next);
-  for_cells(cells, [&](std::uint32_t* corner, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) corner[c] = index[corner[c]];
-  });
+  for_corners(cells, [&](std::uint32_t& k) { k = index[k]; });
 }
 
 }  // namespace
@@ -105,9 +107,9 @@ std::vector<Tessellation::Border> borders(const Cells& cells, const std::vector<
   }
   std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> open;
   std::vector<std::uint64_t> order;
-  for_cells(cells, [&](const std::uint32_t* corner, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) {
-      const auto from = corner[c], to = corner[(c + 1) % count];
+  for_cells(cells, [&](const auto& corners) {
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const auto from = corners[c], to = corners[(c + 1) % corners.size()];
       if (!curved[origin[from]] || !curved[origin[to]]) continue;
       if (open.erase(side_between(from, to)) == 0)
         open[side_between(from, to)] = {from, to}, order.push_back(side_between(from, to));

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <span>
+
 #include "geometry/cells/tessellation.hpp"
 
 namespace geometry {
@@ -12,16 +15,35 @@ struct Cells {
   std::vector<Curves::Piece> pieces;
 };
 
-/// Calls visit(corners, count) for every cell; the corners may be changed.
+/// Calls visit(corners) for every cell: a span of points, which may be changed.
 template <typename Some, typename Visit>
 void for_cells(Some& cells, const Visit& visit) {
-  for (auto& square : cells.squares) visit(square.data(), std::size_t(4));
-  for (auto& triangle : cells.triangles) visit(triangle.data(), std::size_t(3));
+  for (auto& square : cells.squares) visit(std::span(square));
+  for (auto& triangle : cells.triangles) visit(std::span(triangle));
 }
 
-/// Returns the key of the side between two corners, equal for both directions.
-inline std::uint64_t side_between(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t(a < b ? a : b) << 32 | (a < b ? b : a);
+/// Calls visit(k) for the point of every corner of every cell.
+template <typename Some, typename Visit>
+void for_corners(Some& cells, const Visit& visit) {
+  for_cells(cells, [&](const auto& corners) { std::ranges::for_each(corners, visit); });
+}
+
+/// Returns the marked points with all points that share a cell with one of them.
+template <typename Some>
+std::vector<char> grown(const Some& cells, const std::vector<char>& marked) {
+  auto result = marked;
+  for_cells(cells, [&](const auto& corners) {
+    if (std::ranges::any_of(corners, [&](auto k) { return marked[k] != 0; }))
+      for (const auto k : corners) result[k] = 1;
+  });
+  return result;
+}
+
+/// Sorts values, of equal ones all but one removed.
+void keep_once(auto& values) {
+  std::ranges::sort(values);
+  const auto again = std::ranges::unique(values);
+  values.erase(again.begin(), again.end());
 }
 
 /// Centres of the rings of points.

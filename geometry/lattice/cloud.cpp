@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -52,15 +52,9 @@ std::vector<CrackPath> to_lattice(const std::vector<CrackPath>& paths, const Lat
 }
 
 std::size_t nearest_plate_point(const Cloud& cloud, const Point& x) {
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < cloud.plate_points; ++k) {
-    const double squared = (cloud.positions[k] - x).squaredNorm();
-    if (squared >= least) continue;
-    least = squared;
-    nearest = k;
-  }
-  return nearest;
+  const auto points = std::span(cloud.positions).first(cloud.plate_points);
+  const auto distance = [&](const Point& point) { return (point - x).squaredNorm(); };
+  return static_cast<std::size_t>(std::ranges::min_element(points, {}, distance) - points.begin());
 }
 
 namespace {
@@ -80,8 +74,7 @@ public:
     }
     marks_.assign(static_cast<std::size_t>(box_.side(0)) * static_cast<std::size_t>(box_.side(1)), 0);
     for (const Edge& edge : straight_edges(outline)) mark(edge.from, edge.to);
-    for (const Hole& hole : outline.holes)
-      if (const auto* circle = std::get_if<Circle>(&hole)) mark(*circle);
+    for (const Circle& circle : circles(outline)) mark(circle);
   }
 
   const CellBox& box() const { return box_; }

@@ -195,16 +195,12 @@ void meet(Segment& one, Segment& other, Places& places) {
 
 /// The point of a straight edge or circle next to x, if there is one.
 Point put_onto(const Outline& outline, const std::vector<Edge>& edges, const Point& x, double near) {
-  for (const auto& edge : edges) {
-    const Point d = edge.to - edge.from;
-    if (distance_to_segment(edge.from, edge.to, x) < near)
-      return edge.from + std::clamp((x - edge.from).dot(d) / d.squaredNorm(), 0.0, 1.0) * d;
+  for (const auto& edge : edges)
+    if (distance_to_segment(edge.from, edge.to, x) < near) return nearest_on_segment(edge.from, edge.to, x);
+  for (const Circle& circle : circles(outline)) {
+    const Point from = x - circle.centre;
+    if (std::abs(from.norm() - circle.radius) < near) return circle.centre + circle.radius * from.normalized();
   }
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole)) {
-      const Point from = x - circle->centre;
-      if (std::abs(from.norm() - circle->radius) < near) return circle->centre + circle->radius * from.normalized();
-    }
   return x;
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <unordered_map>
 
+#include "geometry/lattice/grouped.hpp"
+
 namespace geometry {
 namespace {
 
@@ -22,12 +24,9 @@ public:
     }
     columns_ = column(high.x()) + 1;
     rows_ = row(high.y()) + 1;
-    first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for (const Point& u : points_) ++first_[bucket(u) + 1];
-    for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
-    members_.resize(points_.size());
-    auto next = first_;
-    for (std::uint32_t k = 0; k < points_.size(); ++k) members_[next[bucket(points_[k])]++] = k;
+    members_ = {static_cast<std::size_t>(columns_ * rows_), [&](const auto& visit) {
+                  for (std::uint32_t k = 0; k < points_.size(); ++k) visit(bucket(points_[k]), k);
+                }};
   }
 
   const std::vector<Point>& points() const { return points_; }
@@ -39,9 +38,8 @@ public:
     const long c = column(u.x()), r = row(u.y());
     for (long y = std::max(0L, r - 1); y <= std::min(rows_ - 1, r + 1); ++y)
       for (long x = std::max(0L, c - 1); x <= std::min(columns_ - 1, c + 1); ++x)
-        for (auto m = first_[index(x, y)]; m < first_[index(x, y) + 1]; ++m)
-          if (members_[m] != k && (points_[members_[m]] - u).squaredNorm() <= radius * radius)
-            found.push_back(members_[m]);
+        for (const auto j : members_[index(x, y)])
+          if (j != k && (points_[j] - u).squaredNorm() <= radius * radius) found.push_back(j);
     std::sort(found.begin(), found.end());
   }
 
@@ -55,8 +53,7 @@ private:
   std::vector<Point> points_;
   Point low_{0, 0};
   long columns_ = 0, rows_ = 0;
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> members_;
+  Grouped<std::uint32_t> members_;  // of buckets
 };
 
 /// A bond before its vector has a number.
@@ -156,30 +153,21 @@ std::size_t Families::bytes() const {
 
 namespace {
 
-/// Bond vectors numbered by multiples of a part of a spacing.
-Families rounded_families(const LatticeUnits& units, const std::vector<Point>& lattice, const Neighbours& neighbours) {
-  constexpr double grain = 1 << 20;  // bond vectors are numbered by multiples of this part of a spacing
-  const auto [found, pattern_of] = patterns(lattice.size(), [&](std::uint32_t k, auto& near, Pattern& pattern) {
+/// Families of the bonds that `neighbours` lists. Bonds with the same code(k, j) have the same vector, vector_of(code).
+template <typename Code, typename VectorOf>
+Families coded_families(std::size_t points, const Neighbours& neighbours, const Code& code, const VectorOf& vector_of) {
+  const auto [found, pattern_of] = patterns(points, [&](std::uint32_t k, auto& near, Pattern& pattern) {
     near.clear();
     neighbours(k, near);
-    for (const auto j : near) {
-      const Point xi = lattice[j] - lattice[k];
-      const auto x = static_cast<std::uint32_t>(std::llround(xi.x() * grain));
-      const auto y = static_cast<std::uint32_t>(std::llround(xi.y() * grain));
-      pattern.push_back({std::int64_t(j) - std::int64_t(k), (std::uint64_t{x} << 32) | y});
-    }
+    for (const auto j : near) pattern.push_back({std::int64_t(j) - std::int64_t(k), code(k, j)});
   });
   std::unordered_map<std::uint64_t, std::uint32_t> ids;
   std::vector<Point> vectors;
-  const auto number = [&](std::uint64_t vector) {
+  return joined(found, pattern_of, vectors, [&](std::uint64_t vector) {
     const auto [entry, fresh] = ids.try_emplace(vector, static_cast<std::uint32_t>(vectors.size()));
-    if (fresh) {
-      const Point xi(static_cast<std::int32_t>(vector >> 32), static_cast<std::int32_t>(vector & 0xffffffff));
-      vectors.push_back(units.spacing / grain * xi);
-    }
+    if (fresh) vectors.push_back(vector_of(vector));
     return entry->second;
-  };
-  return joined(found, pattern_of, vectors, number);
+  });
 }
 
 }  // namespace
@@ -189,43 +177,41 @@ Families families(double spacing, const std::vector<Point>& local, const Neighbo
   std::vector<char> regular(local.size());
   const auto on_line = [spacing](double x) { return spacing * std::round(x / spacing) == x; };
   for (std::size_t k = 0; k < local.size(); ++k) regular[k] = on_line(local[k].x()) && on_line(local[k].y());
-  const auto [found, pattern_of] = patterns(local.size(), [&](std::uint32_t k, auto& near, Pattern& pattern) {
-    near.clear();
-    neighbours(k, near);
-    for (const auto j : near) {
-      const auto step = std::int64_t(j) - std::int64_t(k);
-      std::uint64_t vector = own | std::uint64_t(k) << 31 | (std::uint64_t(step) + middle);
-      if (regular[k] && regular[j]) {
-        const Point u = (local[j] - local[k]) / spacing;
-        vector = std::uint64_t(std::llround(u.x()) + std::int64_t(middle)) << 31;
-        vector |= std::uint64_t(std::llround(u.y()) + std::int64_t(middle));
-      }
-      pattern.push_back({step, vector});
-    }
-  });
-  std::unordered_map<std::uint64_t, std::uint32_t> ids;
-  std::vector<Point> vectors;
-  const auto number = [&](std::uint64_t vector) {
-    const auto [entry, fresh] = ids.try_emplace(vector, static_cast<std::uint32_t>(vectors.size()));
-    if (!fresh) return entry->second;
+  const auto code = [&](std::uint32_t k, std::uint32_t j) {
+    if (!regular[k] || !regular[j])
+      return own | std::uint64_t(k) << 31 | (std::uint64_t(std::int64_t(j) - std::int64_t(k)) + middle);
+    const Point u = (local[j] - local[k]) / spacing;
+    return std::uint64_t(std::llround(u.x()) + std::int64_t(middle)) << 31 |
+           std::uint64_t(std::llround(u.y()) + std::int64_t(middle));
+  };
+  const auto vector_of = [&](std::uint64_t vector) -> Point {
     const auto low = std::int64_t(vector & (2 * middle - 1)) - std::int64_t(middle);
     const auto high = std::int64_t((vector & ~own) >> 31);
-    if (vector & own)
-      vectors.push_back(local[std::size_t(high + low)] - local[std::size_t(high)]);
-    else
-      vectors.push_back(spacing * Point(double(high - std::int64_t(middle)), double(low)));
-    return entry->second;
+    if (vector & own) return local[std::size_t(high + low)] - local[std::size_t(high)];
+    return spacing * Point(double(high - std::int64_t(middle)), double(low));
   };
-  return joined(found, pattern_of, vectors, number);
+  return coded_families(local.size(), neighbours, code, vector_of);
 }
 
 Families families(const Cloud& cloud, double horizon, const Pairwise& sees) {
+  constexpr double grain = 1 << 20;  // bond vectors are numbered by multiples of this part of a spacing
   const double radius = horizon / cloud.units.spacing * (1 + 1e-9);
   const Buckets buckets(cloud, radius);
-  return rounded_families(cloud.units, buckets.points(), [&](std::uint32_t k, std::vector<std::uint32_t>& near) {
+  const auto neighbours = [&](std::uint32_t k, std::vector<std::uint32_t>& near) {
     buckets.within(k, radius, near);
     std::erase_if(near, [&](std::uint32_t j) { return !sees(std::min(k, j), std::max(k, j)); });
-  });
+  };
+  const auto code = [&](std::uint32_t k, std::uint32_t j) {
+    const Point xi = buckets.points()[j] - buckets.points()[k];
+    const auto x = static_cast<std::uint32_t>(std::llround(xi.x() * grain));
+    const auto y = static_cast<std::uint32_t>(std::llround(xi.y() * grain));
+    return (std::uint64_t{x} << 32) | y;
+  };
+  const auto vector_of = [&](std::uint64_t vector) -> Point {
+    const Point xi(static_cast<std::int32_t>(vector >> 32), static_cast<std::int32_t>(vector & 0xffffffff));
+    return cloud.units.spacing / grain * xi;
+  };
+  return coded_families(cloud.size(), neighbours, code, vector_of);
 }
 
 Families without(const Families& families, const Pairwise& cut) {

@@ -9,13 +9,6 @@
 namespace geometry {
 namespace {
 
-/// The nearest point of a segment.
-Point foot(const Point& a, const Point& b, const Point& x) {
-  const Point d = b - a;
-  const double square = d.squaredNorm();
-  return square > 0 ? Point(a + std::clamp(d.dot(x - a) / square, 0.0, 1.0) * d) : a;
-}
-
 /// The nearest place of those that it was shown.
 struct Nearest {
   Point x, place{0, 0};
@@ -34,14 +27,14 @@ struct Nearest {
 Nearest nearest(const Outline& outline, const std::vector<Polyline>& cracks, std::size_t own, const Point& x) {
   Nearest result{x};
   for (const Edge& edge : straight_edges(outline))
-    if (result.look(foot(edge.from, edge.to, x))) result.name = edge.name;
-  for (const Hole& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole); circle && x != circle->centre)
-      if (result.look(circle->centre + circle->radius * (x - circle->centre).normalized())) result.name = circle->name;
+    if (result.look(nearest_on_segment(edge.from, edge.to, x))) result.name = edge.name;
+  for (const Circle& circle : circles(outline))
+    if (x != circle.centre && result.look(circle.centre + circle.radius * (x - circle.centre).normalized()))
+      result.name = circle.name;
   std::size_t nearest = cracks.size();
   for (std::size_t other = 0; other < cracks.size(); ++other)
     for (std::size_t i = 0; other != own && i + 1 < cracks[other].size(); ++i)
-      if (result.look(foot(cracks[other][i], cracks[other][i + 1], x))) nearest = other;
+      if (result.look(nearest_on_segment(cracks[other][i], cracks[other][i + 1], x))) nearest = other;
   if (nearest < cracks.size()) result.name = text("cracks[", nearest, "]");
   return result;
 }

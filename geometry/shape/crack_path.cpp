@@ -30,10 +30,8 @@ int side_of_bond(const Point& p, const Point& q, const Point& vertex, bool tip) 
 }
 
 bool near(const Point& p, const Point& q, const Point& a, const Point& b) {
-  return std::max(a.x(), b.x()) + closure >= std::min(p.x(), q.x()) &&
-         std::min(a.x(), b.x()) - closure <= std::max(p.x(), q.x()) &&
-         std::max(a.y(), b.y()) + closure >= std::min(p.y(), q.y()) &&
-         std::min(a.y(), b.y()) - closure <= std::max(p.y(), q.y());
+  const Point margin(closure, closure);
+  return boxes_meet(p.cwiseMin(q) - margin, p.cwiseMax(q) + margin, a, b);
 }
 
 Point ahead(const Point& from, const Point& end) {
@@ -85,13 +83,12 @@ std::vector<double> splits(const Outline& outline, const Point& a, const Point& 
     const double sine = cross(d, edge.to - edge.from);
     if (sine != 0 && meet(a, b, edge.from, edge.to)) all.push_back(cross(edge.from - a, edge.to - edge.from) / sine);
   }
-  for (const Hole& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole)) {
-      const Point from = a - circle->centre;
-      const double root = std::pow(circle->radius * d.norm(), 2) - std::pow(cross(from, d), 2);
-      if (root <= 0) continue;
-      for (double sign : {-1.0, 1.0}) all.push_back((-from.dot(d) + sign * std::sqrt(root)) / d.squaredNorm());
-    }
+  for (const Circle& circle : circles(outline)) {
+    const Point from = a - circle.centre;
+    const double root = std::pow(circle.radius * d.norm(), 2) - std::pow(cross(from, d), 2);
+    if (root <= 0) continue;
+    for (double sign : {-1.0, 1.0}) all.push_back((-from.dot(d) + sign * std::sqrt(root)) / d.squaredNorm());
+  }
   for (double& t : all) t = std::clamp(t, 0.0, 1.0);
   std::sort(all.begin(), all.end());
   return all;
@@ -166,9 +163,8 @@ std::vector<std::string> errors_in_plate(const Outline& outline, const Polyline&
 double distance_to_boundary(const Outline& outline, const Point& x) {
   double least = std::numeric_limits<double>::infinity();
   for (const Edge& edge : straight_edges(outline)) least = std::min(least, distance_to_segment(edge.from, edge.to, x));
-  for (const Hole& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole))
-      least = std::min(least, std::abs((x - circle->centre).norm() - circle->radius));
+  for (const Circle& circle : circles(outline))
+    least = std::min(least, std::abs((x - circle.centre).norm() - circle.radius));
   return least;
 }
 
@@ -262,18 +258,13 @@ std::optional<double> hit(const Point& x, const Point& direction, const Circle& 
   return ahead - std::sqrt(half);
 }
 
-Point nearest_on(const Point& a, const Point& b, const Point& x) {
-  const double share = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return a + share * (b - a);
-}
-
 /// Nearest point to the tip on the part of the segment that lies ahead of it; what is beside it counts.
 std::optional<Point> nearest_ahead(Point a, Point b, const Tip& tip) {
   const double from = (a - tip.position).dot(tip.direction), to = (b - tip.position).dot(tip.direction);
   const double rounding = 1e-9 * (std::abs(from) + std::abs(to) + (b - a).norm());
   if (std::max(from, to) < -rounding) return std::nullopt;
   if (std::min(from, to) < -rounding) (from < to ? a : b) = a + from / (from - to) * (b - a);
-  return a == b ? a : nearest_on(a, b, tip.position);
+  return nearest_on_segment(a, b, tip.position);
 }
 
 /// Calls visit(a, b) for the segments of all cracks but the one that ends at the tip.
@@ -295,8 +286,7 @@ std::optional<Obstacle> obstacle_ahead(const Outline& outline, const std::vector
   };
   for (const auto& edge : straight_edges(outline))
     take(hit(tip.position, direction, edge.from, edge.to), edge.name, {});
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole)) take(hit(tip.position, direction, *circle), circle->name, {});
+  for (const Circle& circle : circles(outline)) take(hit(tip.position, direction, circle), circle.name, {});
   for_each_segment(cracks, tip, [&](std::size_t c, const Point& a, const Point& b) {
     take(hit(tip.position, direction, a, b), "", c);
   });
@@ -312,11 +302,10 @@ std::optional<Obstacle> nearest_obstacle(const Outline& outline, const std::vect
     if (distance <= (nearest ? nearest->distance : reach)) nearest = {distance, *at, name, crack};
   };
   for (const auto& edge : straight_edges(outline)) take(nearest_ahead(edge.from, edge.to, tip), edge.name, {});
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole)) {
-      const Point at = circle->centre + circle->radius * (tip.position - circle->centre).normalized();
-      take(nearest_ahead(at, at, tip), circle->name, {});
-    }
+  for (const Circle& circle : circles(outline)) {
+    const Point at = circle.centre + circle.radius * (tip.position - circle.centre).normalized();
+    take(nearest_ahead(at, at, tip), circle.name, {});
+  }
   for_each_segment(cracks, tip, [&](std::size_t c, const Point& a, const Point& b) {
     if (c != tip.crack) take(nearest_ahead(a, b, tip), "", c);
   });

@@ -185,9 +185,8 @@ double edge_length(const Outline& outline, const std::string& name) {
   double length = 0;
   for (const Edge& edge : straight_edges(outline))
     if (edge.name == name) length += (edge.to - edge.from).norm();
-  for (const Hole& hole : outline.holes)
-    if (const auto* circle = std::get_if<Circle>(&hole); circle && circle->name == name)
-      length += 2 * std::numbers::pi * circle->radius;
+  for (const Circle& circle : circles(outline))
+    if (circle.name == name) length += 2 * std::numbers::pi * circle.radius;
   return length;
 }
 
@@ -227,13 +226,14 @@ bool meet(const Point& p, const Point& q, const Point& a, const Point& b) {
   return boxes_meet(p, q, a, b) && side(a, b, p) * side(a, b, q) <= 0 && side(p, q, a) * side(p, q, b) <= 0;
 }
 
-std::pair<Point, Point> bounding_box(const Outline& outline) {
-  Point low = outline.outer.vertices.at(0), high = low;
-  for (const Point& v : outline.outer.vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
+std::pair<Point, Point> bounding_box(const std::vector<Point>& points) {
+  Point low = points.at(0), high = low;
+  for (const Point& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
   return {low, high};
+}
+
+std::pair<Point, Point> bounding_box(const Outline& outline) {
+  return bounding_box(outline.outer.vertices);
 }
 
 double tolerance(const Outline& outline) {

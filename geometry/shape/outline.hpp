@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +31,12 @@ struct Outline {
   Polygon outer;
   std::vector<Hole> holes;
 };
+
+/// The holes that are circles.
+inline auto circles(const Outline& outline) {
+  return outline.holes | std::views::filter([](const Hole& hole) { return std::holds_alternative<Circle>(hole); }) |
+         std::views::transform([](const Hole& hole) -> const Circle& { return std::get<Circle>(hole); });
+}
 
 /// A straight piece of the boundary with the plate on its left.
 struct Edge {
@@ -75,7 +82,8 @@ bool meet(const Point& p, const Point& q, const Point& a, const Point& b);
 /// area, radius <= 0, holes outside, crossing the outline or each other.
 std::vector<GeometryError> errors(const Outline& outline);
 
-/// Lower left and upper right corner of the bounding box.
+/// Lower left and upper right corner of the bounding box of points, one at least.
+std::pair<Point, Point> bounding_box(const std::vector<Point>& points);
 std::pair<Point, Point> bounding_box(const Outline& outline);
 
 /// A length that counts as nothing beside the outline: the noise of decimals.

@@ -36,8 +36,7 @@ Ring left_of(const Ring& ring, const Point& a, const Point& b) {
 }
 
 bool near(const Ring& ring, const Ring& cell) {
-  Point low = cell.front(), high = cell.front();
-  for (const Point& x : cell) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  const auto [low, high] = bounding_box(cell);
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (boxes_meet(low, high, ring[i], next(ring, i))) return true;
   return false;
@@ -74,7 +73,7 @@ bool Patch::meets(const Outline& outline) const {
     if (contains(outline, x)) return true;
   for (const Point& x : outline.outer.vertices)
     if (position(ring_, x) > 0) return true;
-  const auto [own_low, own_high] = bounding_box({{ring_, {}}, {}});
+  const auto [own_low, own_high] = bounding_box(ring_);
   low = low.cwiseMax(own_low), high = high.cwiseMin(own_high);
   if (!(low.array() < high.array()).all()) return false;
   for (int i = 0; i < count * count; ++i)

@@ -34,6 +34,12 @@ double signed_area(const Ring& ring) {
   return twice / 2;
 }
 
+Point nearest_on_segment(const Point& a, const Point& b, const Point& x) {
+  const Point d = b - a;
+  const double square = d.squaredNorm();
+  return square > 0 ? Point(a + std::clamp(d.dot(x - a) / square, 0.0, 1.0) * d) : a;
+}
+
 double distance_to_segment(const Point& a, const Point& b, const Point& x) {
   const Point d = b - a;
   const double square = d.squaredNorm();

@@ -28,6 +28,9 @@ int position(const Ring& ring, const Point& x);
 /// Positive where the ring runs counter-clockwise.
 double signed_area(const Ring& ring);
 
+/// The point of the segment ab nearest to x.
+Point nearest_on_segment(const Point& a, const Point& b, const Point& x);
+
 /// Distance of x from the segment ab; a segment without length counts as a point.
 double distance_to_segment(const Point& a, const Point& b, const Point& x);
 

@@ -173,9 +173,8 @@ std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, do
   std::vector<std::vector<Srif>> result;
   if (path.empty() || path.back().rows.empty()) return result;
   const auto& rows = path.back().rows;
-  for (std::size_t i = 0; i < rows.front().size(); ++i) {
-    const std::size_t tip = rows.front()[i].tip;
-    if (i > 0 && rows.front()[i - 1].tip == tip) continue;
+  for (const auto* first : recommended(rows.front())) {
+    const std::size_t tip = first->tip;
     const Course course = course_of(path, tip, thickness);
     if (course.empty()) continue;
     auto found = refined(course);
@@ -184,7 +183,7 @@ std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, do
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const auto& [K, errors] = found[row];
       Srif srif;
-      srif.tip = tip, srif.position = rows.front()[i].position, srif.method = SrifMethod::refinement;
+      srif.tip = tip, srif.position = first->position, srif.method = SrifMethod::refinement;
       srif.samples = course.front().size();
       srif.K1 = K[0], srif.K2 = K[1], srif.K3 = K[2] / thickness;
       srif.errors = {errors[0], errors[1], errors[2] / thickness};

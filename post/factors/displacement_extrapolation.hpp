@@ -5,10 +5,18 @@
 
 #include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/interpolation.hpp"
+#include "plate/model/section.hpp"
 #include "plate/model/state.hpp"
 #include "post/factors/srif.hpp"
 
 namespace post {
+
+/// The numbers that displacement extrapolation needs of a plate.
+struct PlateScale {
+  plate::Section section;
+  double spacing, horizon;  // [length]
+  bool points_on_faces = false;
+};
 
 /// Samples that a fit of the opening takes, and terms that it fits.
 struct OpeningFit {

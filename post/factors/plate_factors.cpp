@@ -51,8 +51,7 @@ double reach_of_foundations(const plate::Problem& c) {
   return result;
 }
 
-}  // namespace
-
+/// Distance from a tip to the next point force, line load, pin, spring, stiffener or support inside [length].
 double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
   double result = INFINITY;
   const auto take = [&](const geometry::Point& x) { result = std::min(result, (x - tip.position).norm()); };
@@ -76,6 +75,8 @@ double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
   }
   return result;
 }
+
+}  // namespace
 
 double clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip) {
@@ -301,9 +302,8 @@ std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, 
                                                 double h, const std::string& remedy) {
   constexpr double uncertain = 0.03;
   std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < srifs.size(); ++i) {
-    const auto& srif = srifs[i];
-    if (i > 0 && srifs[i - 1].tip == srif.tip) continue;
+  for (const auto* one : recommended(srifs)) {
+    const auto& srif = *one;
     const auto place = fmt::format("tip {} ({:.4g}, {:.4g})", srif.tip, srif.position.x(), srif.position.y());
     if (srif.G && *srif.G <= 0 && !srif.resolved[0]) {
       warnings.push_back(fmt::format("{}: no intensity factors: energy release rate {:.3g} is not positive; {}", place,

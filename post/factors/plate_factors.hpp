@@ -17,9 +17,6 @@ namespace post {
 double clear_distance(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip);
 
-/// Distance from a tip to the next point force, line load, pin, spring, stiffener or support inside [length].
-double undisturbed_distance(const plate::Problem& problem, const geometry::Tip& tip);
-
 /// The least of all these tips; infinite without tips.
 double least_clear_distance(const plate::Problem& problem, const std::vector<geometry::CrackPath>& paths,
                             const std::vector<geometry::Tip>& tips);

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "plate/model/section.hpp"
+
 namespace post {
 namespace {
 
@@ -43,6 +45,13 @@ std::optional<SrifMethod> srif_method(const std::string& name) {
 
 bool of_opening(SrifMethod method) {
   return method == SrifMethod::displacement_extrapolation || method == SrifMethod::opening_series;
+}
+
+std::vector<const Srif*> recommended(const std::vector<Srif>& srifs) {
+  std::vector<const Srif*> result;
+  for (const auto& one : srifs)
+    if (result.empty() || result.back()->tip != one.tip) result.push_back(&one);
+  return result;
 }
 
 double largest_factor(const Srif& srif, double thickness) {

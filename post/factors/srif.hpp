@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/model/section.hpp"
+
+namespace plate {
+struct Section;
+}
 
 /// Output of the program: intensity factors, tables, files for ParaView and HDF5.
 namespace post {
@@ -90,18 +93,14 @@ struct Srif {
   std::size_t samples = 0;
 };
 
-/// The numbers that displacement extrapolation needs of a plate.
-struct PlateScale {
-  plate::Section section;
-  double spacing, horizon;  // [length]
-  bool points_on_faces = false;
-};
-
 /// True where a method reads the opening of the crack, false where it reads the field about the tip.
 bool of_opening(SrifMethod method);
 
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);
+
+/// Recommended factors of each tip: the first that it has.
+std::vector<const Srif*> recommended(const std::vector<Srif>& srifs);
 
 /// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
 void widen(Srif& srif, const Srif& coarser, double thickness);

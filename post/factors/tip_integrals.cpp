@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/factors/tip_section.hpp"
+#include "plate/model/section.hpp"
 
 namespace post {
 
 using geometry::Point;
-
-Eigen::Vector3d unit_release(const plate::Section& section) {
-  return TipSection(section).unit_release();
-}
 
 /// The strain energy has W = D (1 + nu) kappa_0 (tr grad psi + kappa_0) of it; the field is carried along with the tip,
 /// while kappa_0 stays where it is.
@@ -166,9 +162,8 @@ double clear_distance(const geometry::Outline& outline, const std::vector<geomet
   double clear = straight_length(paths[tip.crack], tip, spacing);
   for (const auto& edge : geometry::straight_edges(outline))
     clear = std::min(clear, geometry::distance({edge.from, edge.to}, tip.position));
-  for (const auto& hole : outline.holes)
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
-      clear = std::min(clear, std::abs((tip.position - circle->centre).norm() - circle->radius));
+  for (const auto& circle : geometry::circles(outline))
+    clear = std::min(clear, std::abs((tip.position - circle.centre).norm() - circle.radius));
   for (std::size_t i = 0; i < paths.size(); ++i)
     if (i != tip.crack) clear = std::min(clear, geometry::distance(paths[i].vertices, tip.position));
   return clear;

@@ -56,9 +56,6 @@ private:
   std::unique_ptr<EnergyRelease> release_;
 };
 
-/// G of unit intensity factors: of isotropic sections G = g1 (K1^2 + K2^2) + g3 K3^2 (theory (50)).
-Eigen::Vector3d unit_release(const plate::Section& section);
-
 /// Distance from a tip within which the plate is whole but for its own crack, which is straight there: from edges,
 /// holes, other cracks, other ends and bends of its own [length].
 double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,

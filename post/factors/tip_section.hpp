@@ -20,7 +20,7 @@ struct TipSection {
   double release(const Eigen::Vector3d& K) const;
   /// Inverse of Lambda.
   Eigen::Matrix3d stiffness() const;
-  /// G of unit factors.
+  /// G of unit factors: of isotropic sections G = g1 (K1^2 + K2^2) + g3 K3^2.
   Eigen::Vector3d unit_release() const;
 };
 

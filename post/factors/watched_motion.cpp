@@ -3,7 +3,9 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/operator.hpp"
+#include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
+#include "plate/solve/motion/lanczos_motion.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/tip_methods.hpp"
 

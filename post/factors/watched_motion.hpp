@@ -1,10 +1,13 @@
 #pragma once
-#include "plate/solve/analysis.hpp"
-#include "plate/solve/motion/lanczos_motion.hpp"
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
 
 namespace plate {
 class Formulation;
-}
+class LanczosMotion;
+struct Analysis;
+}  // namespace plate
 
 namespace post {
 

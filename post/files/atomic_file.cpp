@@ -15,19 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, int error) {
-  throw fs::filesystem_error("cannot write", path, std::error_code(error != 0 ? error : EIO, std::generic_category()));
-}
-
 void write_text(const fs::path& path, const std::string& text) {
   errno = 0;
   std::ofstream file(path, std::ios::binary);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();  // what is still in the buffer meets a full disk only here
-  if (!file) fail(path, errno);
+  if (!file) cannot_write(path, errno);
 }
 
 }  // namespace
+
+void cannot_write(const fs::path& path, int error) {
+  throw fs::filesystem_error("cannot write", path, std::error_code(error != 0 ? error : EIO, std::generic_category()));
+}
 
 void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   fs::path beside = path;
@@ -55,7 +55,7 @@ void wait_for_disk(const fs::path& path) {
   const int error = errno;
   if (opened >= 0) close(opened);
   // EINVAL: a file system without anything to wait for
-  if (!synced && error != EINVAL) fail(path, error);
+  if (!synced && error != EINVAL) cannot_write(path, error);
 }
 
 std::string read_text(const std::filesystem::path& path, std::size_t most) {

@@ -11,6 +11,10 @@ void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path&)>& write);
 void write_atomically(const std::filesystem::path& path, const std::string& text);
 
+/// Throws std::filesystem::filesystem_error of a file that cannot be written. `error`: errno, or 0 where that is
+/// unknown.
+[[noreturn]] void cannot_write(const std::filesystem::path& path, int error);
+
 /// Waits until a file, or the names in a folder, are on the disk. Throws std::filesystem::filesystem_error.
 void wait_for_disk(const std::filesystem::path& path);
 

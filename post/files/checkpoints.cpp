@@ -26,10 +26,6 @@ namespace fs = std::filesystem;
 constexpr std::array names{"checkpoint", "checkpoint.before"};
 constexpr const char* magic = "PDPlate checkpoint 4: ";  // the number of its form
 
-[[noreturn]] void fail(const fs::path& path) {
-  throw fs::filesystem_error("cannot write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
-}
-
 constexpr std::size_t digits = 16;  // of the checksum, at the end
 
 class Checksum {
@@ -76,7 +72,7 @@ void write_main(const fs::path& folder, std::string_view head, std::string_view 
     for (const auto part : {head, memory}) sum.add(part.data(), part.size()), file << part;
     file << sum.text();
     file.close();  // what is still in the buffer meets a full disk only here
-    if (!file) fail(beside);
+    if (!file) cannot_write(beside, errno);
     wait_for_disk(beside);
     std::error_code none;  // there is none before the second
     fs::rename(newest, folder / names[1], none);

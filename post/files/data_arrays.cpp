@@ -25,21 +25,6 @@ std::size_t base64_size(std::size_t bytes) {
   return (bytes + 2) / 3 * 4;
 }
 
-void append_base64(std::string& text, std::string_view bytes) {
-  text.reserve(text.size() + base64_size(bytes.size()));
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? std::uint32_t(std::uint8_t(bytes[i + k])) : 0;
-    };
-    const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
-    const std::size_t left = bytes.size() - i;
-    text += base64_digits[three >> 18];
-    text += base64_digits[three >> 12 & 63];
-    text += left > 1 ? base64_digits[three >> 6 & 63] : '=';
-    text += left > 2 ? base64_digits[three & 63] : '=';
-  }
-}
-
 [[noreturn]] void throw_damaged() {
   throw std::runtime_error("an array is damaged");
 }
@@ -71,7 +56,7 @@ std::string from_base64(std::string_view text) {
 std::string compressed(std::span<const std::byte> bytes) {
   Head head{std::uint32_t((bytes.size() + block_bytes - 1) / block_bytes), block_bytes,
             std::uint32_t(bytes.size() % block_bytes)};
-  std::string blocks;
+  std::vector<std::byte> blocks;
   for (std::size_t at = 0; at < bytes.size(); at += block_bytes) {
     const auto part = bytes.subspan(at, std::min(block_bytes, bytes.size() - at));
     uLongf size = compressBound(part.size());
@@ -83,10 +68,7 @@ std::string compressed(std::span<const std::byte> bytes) {
     blocks.resize(before + size);
     head.push_back(std::uint32_t(size));
   }
-  std::string text;
-  append_base64(text, {reinterpret_cast<const char*>(head.data()), head.size() * sizeof(head[0])});
-  append_base64(text, blocks);
-  return text;
+  return base64(std::as_bytes(std::span(head))) + base64(blocks);
 }
 
 /// The numbers of a head, from its base64 text.
@@ -137,6 +119,21 @@ std::string element(const char* type, std::string_view name, std::size_t compone
 }
 
 }  // namespace
+
+std::string base64(std::span<const std::byte> bytes) {
+  std::string text;
+  text.reserve(base64_size(bytes.size()));
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) { return i + k < bytes.size() ? std::uint32_t(bytes[i + k]) : 0; };
+    const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
+    const std::size_t left = bytes.size() - i;
+    text += base64_digits[three >> 18];
+    text += base64_digits[three >> 12 & 63];
+    text += left > 1 ? base64_digits[three >> 6 & 63] : '=';
+    text += left > 2 ? base64_digits[three & 63] : '=';
+  }
+  return text;
+}
 
 std::string data_array(std::string_view name, std::span<const double> numbers, std::size_t components) {
   return element("Float64", name, components, numbers);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -6,6 +7,9 @@
 #include <vector>
 
 namespace post {
+
+/// Bytes as text (RFC 4648).
+std::string base64(std::span<const std::byte> bytes);
 
 /// An XML element <DataArray> of VTK: numbers of one type, compressed by zlib in blocks, inline in base64 so that the
 /// text is well-formed XML. `name` may be empty, `components` is the count of numbers for each point or cell.

@@ -153,11 +153,9 @@ plate::State lift_of_frame(std::size_t frame, double time, const plate::Formulat
 Table stored_factors(const StoredRun& run, const plate::Formulation& plate, const SrifOptions& options,
                      const std::vector<TipMethods>& methods) {
   const auto& cloud = plate.cloud();
-  if (run.positions.size() != cloud.plate_points)
-    throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
   Table table{srif_columns(), {}};
   const auto names = names_of_frames(plate.problem());
-  if (names.size() < run.times.size() && !names.empty())
+  if (run.positions.size() != cloud.plate_points || (names.size() < run.times.size() && !names.empty()))
     throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
   if (!names.empty()) table.columns.emplace_back("case");
   std::vector<std::vector<Srif>> of_frames;  // of load cases

@@ -1,6 +1,6 @@
-#include "post/files/hdf5/loaded.hpp"
+#include "post/files/hdf5/state_file.hpp"
 
-/// The library's side of files().
+/// The library's side of Files.
 namespace post {
 
 std::unique_ptr<StateFile::Open> open_state_file(StateFile::Options options, const StateFile::Points& points);

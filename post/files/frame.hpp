@@ -20,12 +20,14 @@ using CornerWeight = double plate::Mesh::Source::*;
 /// The vertices of a mesh: its points, then the corners of cells on edges and cracks [length].
 std::vector<geometry::Point> vertices(const plate::Mesh& mesh);
 
-/// Finds the values of the corners from those of the points. `values`: [components x vertices], of which the points are
-/// set.
-void continue_to_corners(const plate::Mesh& mesh, Eigen::Ref<Eigen::MatrixXd> values, CornerWeight weight);
-
-/// Values of points [components x points] as values of vertices [components x vertices].
+/// Values of points [components x points] as values of vertices [components x vertices]: those of corners from their
+/// sources.
 Eigen::MatrixXd at_vertices(const plate::Mesh& mesh, const Eigen::MatrixXd& values, CornerWeight weight);
+
+/// Values of points, a number for each, as a matrix.
+inline Eigen::Map<const Eigen::RowVectorXd> row_of(const std::vector<double>& values) {
+  return {values.data(), Eigen::Index(values.size())};
+}
 
 /// A crack as a polyline.
 struct CrackLine {

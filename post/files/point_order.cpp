@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "plate/formulation/mesh.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/reduction.hpp"
 
 namespace post {
@@ -77,7 +79,7 @@ std::vector<double> PointOrder::at_first(std::size_t first, std::size_t count, s
   return result;
 }
 
-PointOrder order_of(const plate::Communicator& all, const Mesh& mesh) {
+PointOrder order_of(const plate::Communicator& all, const plate::Mesh& mesh) {
   if (!all.distributed()) {
     std::vector<std::uint32_t> as_they_are(mesh.positions.size());
     std::iota(as_they_are.begin(), as_they_are.end(), 0u);

@@ -3,8 +3,11 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/model/communicator.hpp"
-#include "post/files/frame.hpp"
+
+namespace plate {
+class Communicator;
+struct Mesh;
+}  // namespace plate
 
 namespace post {
 
@@ -38,6 +41,6 @@ private:
 };
 
 /// The order of the points of a mesh whose owned points come first.
-PointOrder order_of(const plate::Communicator& all, const Mesh& mesh);
+PointOrder order_of(const plate::Communicator& all, const plate::Mesh& mesh);
 
 }  // namespace post

@@ -4,6 +4,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/halo_exchange.hpp"

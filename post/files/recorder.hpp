@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "plate/formulation/discretised.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/solve/archive_types.hpp"
 #include "post/files/frame.hpp"
@@ -15,6 +14,7 @@
 
 namespace plate {
 class Formulation;
+class Stopwatch;
 struct Boundary;
 struct Heat;
 }  // namespace plate
@@ -56,16 +56,6 @@ public:
   /// The frames of these times were written before the run was ended.
   virtual void go_on([[maybe_unused]] const std::vector<double>& times) {}
 };
-
-}  // namespace post
-
-namespace plate {
-class Formulation;
-struct Boundary;
-struct Heat;
-}  // namespace plate
-
-namespace post {
 
 /// A row of history.csv: one instant. What does not exist in an analysis stays empty.
 struct Sample {

@@ -6,11 +6,14 @@
 #include <limits>
 
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
+#include "plate/solve/statics.hpp"
 #include "plate/solve/validation.hpp"
+#include "post/factors/srif.hpp"
 
 namespace post {
 bool is_zero(const plate::State& values, const plate::Formulation& plate) {

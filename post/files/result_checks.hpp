@@ -2,12 +2,21 @@
 #include <initializer_list>
 #include <optional>
 
-#include "plate/formulation/formulation.hpp"
-#include "plate/solve/statics.hpp"
-#include "post/factors/srif.hpp"
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plate/model/state.hpp"
+
+namespace plate {
+class Formulation;
+struct StaticResult;
+}  // namespace plate
 
 /// Checks applied to results before they are written: each throws plate::NumericalError, saying what failed and when.
 namespace post {
+
+struct Srif;
 
 /// Numbers by their name.
 using Named = std::initializer_list<std::pair<const char*, double>>;

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -10,7 +9,6 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "post/files/atomic_file.hpp"
 
@@ -19,12 +17,6 @@ namespace post {
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : opened_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
       held_(opened_ < 0 || flock(opened_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {}
-
-FolderLock::~FolderLock() {
-  if (opened_ >= 0) close(opened_);
-}
-
-FolderLock::FolderLock(FolderLock&& other) noexcept : opened_(std::exchange(other.opened_, -1)), held_(other.held_) {}
 
 namespace {
 
@@ -56,13 +48,6 @@ bool NamedLock::taken(const std::string& name, Use use) {
   works_ = errno == EAGAIN || errno == EACCES || errno == EINTR;
   return !works_;
 }
-
-NamedLock::~NamedLock() {
-  if (opened_ >= 0) close(opened_);
-}
-
-NamedLock::NamedLock(NamedLock&& other) noexcept
-    : opened_(std::exchange(other.opened_, -1)), held_(other.held_), works_(other.works_) {}
 
 namespace {
 

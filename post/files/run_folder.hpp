@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace post {
@@ -17,17 +18,27 @@ inline std::string digest(const std::string& text) {
   return fmt::format("{:016x}", hash);
 }
 
+/// A file descriptor that closes itself.
+class Descriptor {
+public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+
+  operator int() const { return number_; }
+
+private:
+  int number_;
+};
+
 /// A folder that stays the same one while it gets another name; it is found by its path where no file can be opened any
 /// more.
 class OpenedFolder {
 public:
   explicit OpenedFolder(const std::filesystem::path& path)
       : path_(path), opened_(::open(path.empty() ? "." : path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)) {}
-  ~OpenedFolder() {
-    if (opened_ >= 0) ::close(opened_);
-  }
-  OpenedFolder(const OpenedFolder&) = delete;
-  OpenedFolder& operator=(const OpenedFolder&) = delete;
 
   bool has(const std::filesystem::path& name) const { return ::faccessat(opened_, at(name).c_str(), F_OK, 0) == 0; }
   void remove(const std::filesystem::path& name) const { ::unlinkat(opened_, at(name).c_str(), 0); }
@@ -38,7 +49,7 @@ private:
   }
 
   std::filesystem::path path_;
-  int opened_;
+  Descriptor opened_;
 };
 
 /// Keeps a folder for one run, as long as it lives or its process does. File systems that know no locks let all in.
@@ -46,15 +57,12 @@ class FolderLock {
 public:
   /// Locks a folder that exists.
   explicit FolderLock(const std::filesystem::path& folder);
-  ~FolderLock();
-  FolderLock(FolderLock&& other) noexcept;
-  FolderLock& operator=(FolderLock&&) = delete;
 
   /// False: another run has it.
   bool held() const { return held_; }
 
 private:
-  int opened_;
+  Descriptor opened_;
   bool held_;
 };
 
@@ -68,9 +76,6 @@ public:
   /// take a moment to follow it. Throws std::system_error where the file cannot be opened.
   NamedLock(const std::filesystem::path& file, const std::string& name, Use use,
             std::chrono::milliseconds patience = std::chrono::milliseconds(0));
-  ~NamedLock();
-  NamedLock(NamedLock&& other) noexcept;
-  NamedLock& operator=(NamedLock&&) = delete;
 
   /// False: another process has it.
   bool held() const { return held_; }
@@ -80,7 +85,7 @@ public:
 private:
   bool taken(const std::string& name, Use use);
 
-  int opened_;
+  Descriptor opened_;
   bool held_ = false, works_ = true;
 };
 

@@ -20,10 +20,6 @@ ResultsInMemory::Array array(const std::vector<Eigen::Vector2d>& points) {
   return result;
 }
 
-Eigen::Map<const Eigen::RowVectorXd> row(const std::vector<double>& values) {
-  return {values.data(), Eigen::Index(values.size())};
-}
-
 template <typename Cells>
 std::vector<std::uint32_t> flat(const Cells& cells) {
   std::vector<std::uint32_t> result;
@@ -43,8 +39,8 @@ void MemorySink::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
   areas.resize(areas.size() + mesh_.corners.size(), 0);
   arrays = {{"x", array(vertices(mesh_))},
             {"area", {std::move(areas)}},
-            {"cut", mean(row(mesh_.cut))},
-            {"damage", mean(row(frame.damage))},
+            {"cut", mean(row_of(mesh_.cut))},
+            {"damage", mean(row_of(frame.damage))},
             {"w", linear(frame.state.row(0))},
             {"theta", linear(frame.state.bottomRows<2>())},
             {"moments", mean(frame.resultants.moments)},

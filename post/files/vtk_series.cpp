@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <pugixml.hpp>
+#include <ranges>
 #include <regex>
 #include <stdexcept>
 
@@ -60,8 +62,7 @@ std::string pvtu(std::size_t frame, int pieces) {
   return text + "  </PUnstructuredGrid>\n</VTKFile>\n";
 }
 
-}  // namespace
-
+/// A list of frames and their times, as ParaView opens it. `without`: frames that are not there.
 std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame),
                 const std::set<std::size_t>& without) {
   std::string text = fmt::format(
@@ -73,6 +74,117 @@ std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::
   }
   return text + "  </Collection>\n</VTKFile>\n";
 }
+
+/// GridCells as VTK lists them: the points of all, where the points of each end, what each is.
+struct GridCells {
+  enum Type : std::uint8_t { vertex = 1, line = 4, triangle = 5, quad = 9 };  // VTK's numbers
+  std::vector<std::int64_t> points, ends;
+  std::vector<std::uint8_t> types;
+
+  void add(Type type, const auto& cell) {
+    std::ranges::copy(cell, std::back_inserter(points));
+    ends.push_back(std::int64_t(points.size()));
+    types.push_back(type);
+  }
+  std::string text() const { return data_array("connectivity", points) + data_array("offsets", ends); }
+};
+
+/// Every point that no cell uses is a cell by itself, unless it is another process's.
+GridCells cells_of(const Mesh& mesh) {
+  GridCells cells;
+  for (const auto& quad : mesh.quads) cells.add(GridCells::quad, quad);
+  for (const auto& triangle : mesh.triangles) cells.add(GridCells::triangle, triangle);
+  std::vector<bool> used(mesh.positions.size() + mesh.corners.size(), false);
+  for (const auto k : cells.points) used.at(std::size_t(k)) = true;
+  const auto own = mesh.positions.size() - mesh.others;
+  for (std::size_t k = 0; k < used.size(); ++k)
+    if (!used[k] && (k < own || k >= mesh.positions.size())) cells.add(GridCells::vertex, std::array{k});
+  return cells;
+}
+
+/// Values of points, one row per component, with those of corners behind; throws where the points are not those of the
+/// mesh.
+template <typename Rows>
+std::string point_data(const Mesh& mesh, const char* name, CornerWeight weight, const Eigen::MatrixBase<Rows>& rows) {
+  if (const auto points = mesh.positions.size(); std::size_t(rows.cols()) != points)
+    throw std::invalid_argument(fmt::format("{} has {} values for {} points", name, rows.cols(), points));
+  const Eigen::MatrixXd values = at_vertices(mesh, rows, weight);
+  return data_array(name, {values.data(), std::size_t(values.size())}, std::size_t(values.rows()));
+}
+
+std::string fields_of(const Mesh& mesh, const Frame& frame) {
+  const auto& [moments, shear, von_mises] = frame.resultants;
+  std::string text;
+  const auto add = [&](const char* name, CornerWeight weight, const auto& rows) {
+    text += point_data(mesh, name, weight, rows);
+  };
+  constexpr auto linear = &Mesh::Source::linear, mean = &Mesh::Source::mean;
+  add("w", linear, frame.state.row(0));
+  add("theta", linear, frame.state.bottomRows<2>());
+  add("damage", mean, row_of(frame.damage));
+  add("cut", mean, row_of(mesh.cut));
+  add("Mxx", mean, moments.row(0));
+  add("Myy", mean, moments.row(1));
+  add("Mxy", mean, moments.row(2));
+  add("Qx", mean, shear.row(0));
+  add("Qy", mean, shear.row(1));
+  add("von_mises", mean, von_mises.transpose());
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, frame.state.cols());
+  displacement.row(2) = frame.state.row(0);
+  add("displacement", linear, displacement);
+  return text;
+}
+
+/// The text of fields_NNNN.vtu. Throws std::invalid_argument where the values are not those of the points.
+std::string vtu(const Mesh& mesh, const Frame& frame) {
+  const auto all = vertices(mesh);
+  std::vector<double> positions;
+  positions.reserve(3 * all.size());
+  for (const auto& x : all) positions.insert(positions.end(), {x.x(), x.y(), 0});
+  const auto cells = cells_of(mesh);
+  return vtk_file("UnstructuredGrid",
+                  fmt::format("<FieldData>\n{}</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
+                              "<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}</Cells>\n</Piece>\n",
+                              data_array("TimeValue", std::array{frame.time}), all.size(), cells.types.size(),
+                              fields_of(mesh, frame), data_array("Points", positions, 3), cells.text(),
+                              data_array("types", cells.types)));
+}
+
+/// The text of cracks.vtp.
+std::string vtp(const Cracks& cracks) {
+  constexpr double none = -1;
+  constexpr std::array<double, 3> unknown{NAN, NAN, NAN};
+  std::vector<double> positions, advances, tips, crack_of_cell, tip_of_cell;
+  std::array<std::vector<double>, 3> factors;
+  GridCells lines, ends;
+  const auto add = [&](const geometry::Point& x, double advance, double tip, const std::array<double, 3>& K) {
+    positions.insert(positions.end(), {x.x(), x.y(), 0});
+    advances.push_back(advance), tips.push_back(tip);
+    for (std::size_t i = 0; i < 3; ++i) factors[i].push_back(K[i]);
+  };
+  for (const auto& tip : cracks.tips)  // those of vertices come first, as VTK counts cells
+    crack_of_cell.push_back(double(tip.crack)), tip_of_cell.push_back(double(tip.number));
+  for (const auto& line : cracks.lines) {
+    lines.add(GridCells::line, std::views::iota(tips.size(), tips.size() + line.vertices.size()));
+    crack_of_cell.push_back(double(&line - cracks.lines.data())), tip_of_cell.push_back(none);
+    for (std::size_t i = 0; i < line.vertices.size(); ++i) add(line.vertices[i], line.advances[i], none, unknown);
+  }
+  for (const auto& tip : cracks.tips) {
+    ends.add(GridCells::vertex, std::array{tips.size()});
+    add(tip.position, 0, double(tip.number), tip.factors.value_or(unknown));
+  }
+  return vtk_file(
+      "PolyData",
+      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\">\n"
+                  "<PointData>\n{}{}{}{}{}</PointData>\n<CellData>\n{}{}</CellData>\n<Points>\n{}</Points>\n"
+                  "<Verts>\n{}</Verts>\n<Lines>\n{}</Lines>\n</Piece>\n",
+                  tips.size(), cracks.tips.size(), cracks.lines.size(), data_array("advance", advances),
+                  data_array("tip", tips), data_array("K1", factors[0]), data_array("K2", factors[1]),
+                  data_array("K3", factors[2]), data_array("crack", crack_of_cell), data_array("tip", tip_of_cell),
+                  data_array("Points", positions, 3), ends.text(), lines.text()));
+}
+
+}  // namespace
 
 VtkSeries::VtkSeries(std::filesystem::path folder, Mesh mesh, const plate::Communicator& communicator)
     : folder_(std::move(folder)), mesh_(std::move(mesh)), communicator_(&communicator) {}
@@ -122,88 +234,6 @@ std::vector<std::filesystem::path> frames_in(const std::filesystem::path& folder
 
 void write_cracks(const std::filesystem::path& path, const Cracks& cracks) {
   write_atomically(path, vtp(cracks));
-}
-
-namespace {
-
-/// GridCells as VTK lists them: the points of all, where the points of each end, what each is.
-struct GridCells {
-  enum Type : std::uint8_t { vertex = 1, triangle = 5, quad = 9 };  // VTK's numbers
-  std::vector<std::int64_t> points, ends;
-  std::vector<std::uint8_t> types;
-
-  void add(Type type, const auto& cell) {
-    points.insert(points.end(), cell.begin(), cell.end());
-    ends.push_back(std::int64_t(points.size()));
-    types.push_back(type);
-  }
-};
-
-/// Every point that no cell uses is a cell by itself, unless it is another process's.
-GridCells cells_of(const Mesh& mesh) {
-  GridCells cells;
-  for (const auto& quad : mesh.quads) cells.add(GridCells::quad, quad);
-  for (const auto& triangle : mesh.triangles) cells.add(GridCells::triangle, triangle);
-  std::vector<bool> used(mesh.positions.size() + mesh.corners.size(), false);
-  for (const auto k : cells.points) used.at(std::size_t(k)) = true;
-  const auto own = mesh.positions.size() - mesh.others;
-  for (std::size_t k = 0; k < used.size(); ++k)
-    if (!used[k] && (k < own || k >= mesh.positions.size())) cells.add(GridCells::vertex, std::array{k});
-  return cells;
-}
-
-/// Values of points, one row per component, with those of corners behind; throws where the points are not those of the
-/// mesh.
-template <typename Rows>
-std::string point_data(const Mesh& mesh, const char* name, CornerWeight weight, const Eigen::MatrixBase<Rows>& rows) {
-  if (const auto points = mesh.positions.size(); std::size_t(rows.cols()) != points)
-    throw std::invalid_argument(fmt::format("{} has {} values for {} points", name, rows.cols(), points));
-  const Eigen::MatrixXd values = at_vertices(mesh, rows, weight);
-  return data_array(name, {values.data(), std::size_t(values.size())}, std::size_t(values.rows()));
-}
-
-Eigen::Map<const Eigen::RowVectorXd> field_row(const std::vector<double>& values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
-
-std::string fields_of(const Mesh& mesh, const Frame& frame) {
-  const auto& [moments, shear, von_mises] = frame.resultants;
-  std::string text;
-  const auto add = [&](const char* name, CornerWeight weight, const auto& rows) {
-    text += point_data(mesh, name, weight, rows);
-  };
-  constexpr auto linear = &Mesh::Source::linear, mean = &Mesh::Source::mean;
-  add("w", linear, frame.state.row(0));
-  add("theta", linear, frame.state.bottomRows<2>());
-  add("damage", mean, field_row(frame.damage));
-  add("cut", mean, field_row(mesh.cut));
-  add("Mxx", mean, moments.row(0));
-  add("Myy", mean, moments.row(1));
-  add("Mxy", mean, moments.row(2));
-  add("Qx", mean, shear.row(0));
-  add("Qy", mean, shear.row(1));
-  add("von_mises", mean, von_mises.transpose());
-  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, frame.state.cols());
-  displacement.row(2) = frame.state.row(0);
-  add("displacement", linear, displacement);
-  return text;
-}
-
-}  // namespace
-
-std::string vtu(const Mesh& mesh, const Frame& frame) {
-  const auto all = vertices(mesh);
-  std::vector<double> positions;
-  positions.reserve(3 * all.size());
-  for (const auto& x : all) positions.insert(positions.end(), {x.x(), x.y(), 0});
-  const auto cells = cells_of(mesh);
-  return vtk_file(
-      "UnstructuredGrid",
-      fmt::format("<FieldData>\n{}</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
-                  "<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n",
-                  data_array("TimeValue", std::array{frame.time}), all.size(), cells.types.size(),
-                  fields_of(mesh, frame), data_array("Points", positions, 3), data_array("connectivity", cells.points),
-                  data_array("offsets", cells.ends), data_array("types", cells.types)));
 }
 
 namespace {

@@ -19,6 +19,7 @@ public:
   VtkSeries(std::filesystem::path folder, Mesh mesh, const plate::Communicator& communicator = plate::single_process());
   /// Sets the mesh of the frames from now on.
   void remesh(Mesh mesh) { mesh_ = std::move(mesh); }
+  /// Throws std::invalid_argument where the values are not those of the points.
   void write(const Frame& frame);
   /// Continues after frames that an interrupted run has written; frames that are gone are removed from the list, and
   /// pieces of later ones are deleted.
@@ -31,15 +32,6 @@ private:
   std::vector<double> times_;
   std::set<std::size_t> gone_;  // of the frames
 };
-
-/// The text of fields_NNNN.vtu. Throws std::invalid_argument where the values are not those of the points.
-std::string vtu(const Mesh& mesh, const Frame& frame);
-/// The text of cracks.vtp.
-std::string vtp(const Cracks& cracks);
-
-/// A list of frames and their times, as ParaView opens it. `without`: frames that are not there.
-std::string pvd(const std::vector<double>& times, std::string (*file_name)(std::size_t frame),
-                const std::set<std::size_t>& without = {});
 
 /// A frame that was written, and the cells that it is drawn with.
 struct Drawn {

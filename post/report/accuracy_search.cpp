@@ -13,7 +13,7 @@
 #include "plate/model/process.hpp"
 #include "plate/model/space.hpp"
 #include "post/factors/plate_factors.hpp"
-#include "post/factors/tip_integrals.hpp"
+#include "post/factors/tip_section.hpp"
 #include "post/report/terminal.hpp"
 
 namespace post {
@@ -39,7 +39,7 @@ std::optional<double> least_radius(const plate::Problem& problem) {
       take(circle->radius);
       continue;
     }
-    const auto [low, high] = geometry::bounding_box({std::get<geometry::Polygon>(hole), {}});
+    const auto [low, high] = geometry::bounding_box(std::get<geometry::Polygon>(hole).vertices);
     take((high - low).minCoeff() / 2);
   }
   return result;
@@ -99,7 +99,7 @@ AccuracyStep step_of(double size, AccuracyTrial trial, double seconds) {
 /// K1 of a crack that releases the whole energy of the plate over its smaller side.
 double nominal_factor(const plate::Problem& problem, double strain_energy) {
   const auto [low, high] = geometry::bounding_box(problem.outline);
-  return std::sqrt(strain_energy / (high - low).minCoeff() / unit_release(problem.section)[0]);
+  return std::sqrt(strain_energy / (high - low).minCoeff() / TipSection(problem.section).unit_release()[0]);
 }
 
 /// Reason that forbids a smaller size; empty where there is none.

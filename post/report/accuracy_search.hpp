@@ -2,11 +2,11 @@
 #include <functional>
 #include <variant>
 
-#include "plate/model/numerical_method.hpp"
 #include "post/files/summary.hpp"
 
 namespace plate {
 class Formulation;
+struct Discretization;
 struct Problem;
 }  // namespace plate
 

@@ -48,9 +48,8 @@ std::vector<Peak> peaks(const std::vector<double>& times, const std::vector<std:
   std::map<Key, Peak> found;
   std::map<Key, double> missed;  // what a value that is not resolved may be
   for (std::size_t n = 0; n < std::min(times.size(), rows.size()); ++n)
-    for (std::size_t i = 0; i < rows[n].size(); ++i) {
-      const Srif& srif = rows[n][i];
-      if (i > 0 && rows[n][i - 1].tip == srif.tip) continue;
+    for (const auto* one : recommended(rows[n])) {
+      const Srif& srif = *one;
       const std::array values{srif.K1, srif.K2, srif.K3};
       for (std::size_t which = 0; which < 3; ++which)
         if (srif.resolved[which])

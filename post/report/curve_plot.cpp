@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -19,22 +20,12 @@ constexpr double legend_line = 20, legend_gap = 10, labels_height = 50, panel_ga
 constexpr double character = 6.6, sample_width = 30, entry_gap = 24;  // of the legend; 12 px type is 6 to 7 px wide
 
 const char* class_of(Line line) {
-  switch (line) {
-    case Line::reference:
-      return "reference";
-    case Line::second_reference:
-      return "second";
-    case Line::third_reference:
-      return "third";
-    case Line::computed:
-      return "computed";
-    case Line::plain:
-    case Line::numbered:
-    case Line::marks:
-    case Line::rings:
-      break;
-  }
-  return "numbered";
+  static const std::map<Line, const char*> names{{Line::reference, "reference"},
+                                                 {Line::second_reference, "second"},
+                                                 {Line::third_reference, "third"},
+                                                 {Line::computed, "computed"}};
+  const auto found = names.find(line);
+  return found == names.end() ? "numbered" : found->second;
 }
 
 bool has_marks(const Series& series) {

@@ -1,14 +1,15 @@
 #include "post/report/curves.hpp"
 
-#include "post/report/curve_plot.hpp"
-
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+
+#include "post/factors/srif.hpp"
+#include "post/files/table.hpp"
+#include "post/report/curve_plot.hpp"
 
 namespace post {
 namespace {
@@ -44,12 +45,10 @@ std::vector<Series> factors(const std::vector<double>& times, const std::vector<
     for (const auto& srif : row) least = std::max({least, 1e-6 * std::abs(srif.K1), 1e-6 * std::abs(srif.K2)});
   std::map<std::size_t, Curve> found;  // tip
   for (std::size_t n = 0; n < std::min(times.size(), rows.size()); ++n)
-    for (std::size_t i = 0; i < rows[n].size(); ++i) {
-      const Srif& srif = rows[n][i];
-      if (i > 0 && rows[n][i - 1].tip == srif.tip) continue;
-      const std::array values{srif.K1, srif.K2, srif.K3};
-      auto& curve = found[srif.tip];
-      curve.t.push_back(times[n]), curve.y.push_back(srif.resolved[which] ? values[which] : gap);
+    for (const auto* srif : recommended(rows[n])) {
+      const std::array values{srif->K1, srif->K2, srif->K3};
+      auto& curve = found[srif->tip];
+      curve.t.push_back(times[n]), curve.y.push_back(srif->resolved[which] ? values[which] : gap);
     }
   std::vector<Series> series;
   for (auto& [tip, curve] : found)
@@ -61,17 +60,13 @@ void add(CurvePlot& plot, const std::string& t, const std::string& y, std::vecto
   if (!series.empty()) plot.panels.push_back({t, y, std::move(series)});
 }
 
-Series line(const std::string& label, const std::vector<double>& t, std::vector<double> y, std::size_t number) {
-  return {label, Line::plain, {t, std::move(y)}, number};
-}
-
 /// Series of the columns that have a value other than zero.
 std::vector<Series> lines(const Table& table, const std::vector<double>& t,
                           const std::vector<std::pair<std::string, std::string>>& columns) {
   std::vector<Series> series;
   for (const auto& [column, label] : columns)
     if (auto values = numbers(table, column); largest(values) > 0)
-      series.push_back(line(label, t, std::move(values), series.size()));
+      series.push_back({label, Line::plain, {t, std::move(values)}, series.size()});
   return series;
 }
 

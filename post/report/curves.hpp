@@ -1,10 +1,12 @@
 #pragma once
-#include "post/files/summary.hpp"
-#include "post/files/table.hpp"
+#include <string>
+#include <vector>
 
 namespace post {
 
 struct CurvePlot;
+struct Srif;
+struct Table;
 
 /// A motion: K1, K2 and K3 of every tip against time by its recommended method, with gaps where a factor is not
 /// resolved, a panel for each that any tip has; the largest deflection; energies. `rows` of factors at `times`;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "plate/model/problem.hpp"
@@ -119,29 +120,19 @@ std::string text_of(const geometry::Hole& hole) {
   return json_object({{"vertices", text_of(polygon.vertices)}});
 }
 
-std::string words(plate::SupportKind kind) {
+const char* words(plate::SupportKind kind) {
   using enum plate::SupportKind;
-  switch (kind) {
-    case free:
-      return "free";
-    case clamped:
-      return "clamped";
-    case simply_supported:
-      return "simply supported";
-    case simply_supported_hard:
-      return "simply supported, hard";
-    case symmetry:
-      return "symmetry";
-    case clamped_layer:
-      return "clamped in a layer";
-    case simply_supported_layer:
-      return "simply supported in a layer";
-    case simply_supported_hard_layer:
-      return "simply supported in a layer, hard";
-    case pinned:
-      return "pinned";
-  }
-  return "";
+  static const std::map<plate::SupportKind, const char*> all{
+      {free, "free"},
+      {clamped, "clamped"},
+      {simply_supported, "simply supported"},
+      {simply_supported_hard, "simply supported, hard"},
+      {symmetry, "symmetry"},
+      {clamped_layer, "clamped in a layer"},
+      {simply_supported_layer, "simply supported in a layer"},
+      {simply_supported_hard_layer, "simply supported in a layer, hard"},
+      {pinned, "pinned"}};
+  return all.at(kind);
 }
 
 std::string words(const plate::History& history) {
@@ -287,34 +278,36 @@ std::string beginning_of(const plate::Problem& problem) {
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
-template <typename Element, typename Text>
-std::string list_of(const std::vector<Element>& elements, const Text& text) {
+std::string text_of(const geometry::Edge& e) {
+  return json_object({{"name", json_text(e.name)}, {"from", text_of(e.from)}, {"to", text_of(e.to)}});
+}
+
+std::string text_of(const plate::Support& s) {
+  Members members{{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}};
+  if (!s.along.empty()) members.emplace_back("along", text_of(s.along));
+  if (s.patch) members.emplace_back("patch", text_of(*s.patch));
+  return json_object(members);
+}
+
+template <typename Element>
+std::string list_of(const std::vector<Element>& elements) {
   std::vector<std::string> texts;
-  for (const auto& element : elements) texts.push_back(text(element));
+  for (const auto& element : elements) texts.push_back(text_of(element));
   return json_list(texts);
 }
 
 }  // namespace
 
 std::string plate_json(const plate::Problem& problem) {
-  const auto edge = [](const geometry::Edge& e) {
-    return json_object({{"name", json_text(e.name)}, {"from", text_of(e.from)}, {"to", text_of(e.to)}});
-  };
-  const auto support = [](const plate::Support& s) {
-    Members members{{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}};
-    if (!s.along.empty()) members.emplace_back("along", text_of(s.along));
-    if (s.patch) members.emplace_back("patch", text_of(*s.patch));
-    return json_object(members);
-  };
   return json_object({{"outline", text_of(problem.outline.outer.vertices)},
-                      {"edges", list_of(geometry::straight_edges(problem.outline), edge)},
-                      {"holes", list_of(problem.outline.holes, [](const auto& hole) { return text_of(hole); })},
-                      {"cracks", list_of(problem.cracks, [](const auto& crack) { return text_of(crack); })},
-                      {"supports", list_of(problem.supports, support)},
-                      {"foundations", list_of(problem.foundations, [](const auto& one) { return text_of(one); })},
-                      {"springs", list_of(problem.springs, [](const auto& one) { return text_of(one); })},
-                      {"stiffeners", list_of(problem.stiffeners, [](const auto& one) { return text_of(one); })},
-                      {"loads", list_of(problem.loads, [](const auto& load) { return text_of(load); })},
+                      {"edges", list_of(geometry::straight_edges(problem.outline))},
+                      {"holes", list_of(problem.outline.holes)},
+                      {"cracks", list_of(problem.cracks)},
+                      {"supports", list_of(problem.supports)},
+                      {"foundations", list_of(problem.foundations)},
+                      {"springs", list_of(problem.springs)},
+                      {"stiffeners", list_of(problem.stiffeners)},
+                      {"loads", list_of(problem.loads)},
                       {"beginning", json_text(beginning_of(problem))},
                       {"section", text_of(problem.section)}});
 }

@@ -43,6 +43,18 @@ std::string filled(std::string_view frame, const std::map<std::string, std::stri
   return result.append(frame);
 }
 
+/// JSON in which no `<` is left, so that no browser takes any of it for markup.
+std::string without_markup(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  for (const char c : json)
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  return text;
+}
+
 }  // namespace
 
 std::string json_object(const Members& members) {
@@ -65,17 +77,6 @@ std::string json_text(const std::string& text) {
 
 std::string json_number(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "null";
-}
-
-std::string without_markup(const std::string& json) {
-  std::string text;
-  text.reserve(json.size());
-  for (const char c : json)
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  return text;
 }
 
 std::string page(const std::string& title, const std::string& data) {

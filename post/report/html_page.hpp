@@ -23,9 +23,6 @@ std::string json_text(const std::string& text);
 /// A number with so many digits; null where it is not finite.
 std::string json_number(double value, int digits = 17);
 
-/// JSON in which no `<` is left, so that no browser takes any of it for markup.
-std::string without_markup(const std::string& json);
-
 /// The whole page: one file without references to others. `data`: JSON, which the page's scripts put into words,
 /// drawings and plots.
 std::string page(const std::string& title, const std::string& data);

@@ -10,6 +10,7 @@
 #include "post/files/vtk_series.hpp"
 #include "post/report/html_data.hpp"
 #include "post/report/html_page.hpp"
+#include "post/report/pictures.hpp"
 
 namespace post {
 namespace {

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "geometry/shape/outline.hpp"
-#include "post/report/pictures.hpp"
 
 namespace plate {
 struct Problem;
 }
 
 namespace post {
+
+class Pictures;
 
 /// Data of a case that a report shows beside its results.
 struct ReportedCase {

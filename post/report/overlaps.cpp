@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "plate/model/section.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
 namespace post {

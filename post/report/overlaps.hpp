@@ -1,13 +1,15 @@
 #pragma once
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "post/files/summary.hpp"
+namespace plate {
+struct Section;
+}
 
 namespace post {
 
+struct FaceOverlaps;
 struct Table;
 
 /// Overlaps of the faces behind each tip from the rows of srif.csv, by the recommended method: where they overlap at

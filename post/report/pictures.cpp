@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "post/files/data_arrays.hpp"
 #include "post/files/frame.hpp"
 #include "post/report/html_page.hpp"
 
@@ -14,18 +15,11 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Lower left and upper right corner.
-std::pair<geometry::Point, geometry::Point> box(const std::vector<geometry::Point>& points) {
-  geometry::Point low = points.front(), high = low;
-  for (const auto& x : points) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  return {low, high};
-}
-
 }  // namespace
 
 Raster::Raster(const plate::Mesh& mesh, std::size_t pixels) {
   const auto points = vertices(mesh);
-  const auto [low, high] = box(points);
+  const auto [low, high] = geometry::bounding_box(points);
   const geometry::Point size = high - low;
   low_ = low;
   pitch_ = std::sqrt(size.x() * size.y() / double(pixels));
@@ -80,21 +74,6 @@ constexpr int significant_digits = 7;
 
 bool is_kept_of_earlier(const std::string& name) {
   return name == "w" || name == "von_mises" || name == "damage";
-}
-
-std::string base64(const std::vector<std::uint16_t>& codes) {
-  constexpr auto letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const std::size_t bytes = 2 * codes.size();
-  const auto byte = [&](std::size_t i) -> unsigned {  // low byte first
-    return i >= bytes ? 0U : (i % 2 == 0 ? codes[i / 2] & 0xFFU : codes[i / 2] >> 8U);
-  };
-  std::string text;
-  text.reserve((bytes + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes; i += 3) {
-    const unsigned three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes ? '=' : letters[three >> (18U - 6U * k) & 63U];
-  }
-  return text;
 }
 
 /// Every second pixel each way.
@@ -153,7 +132,7 @@ Pictures::Picture Pictures::picture(const Frame& frame) const {
     add("Mxy", moments.row(2), mean);
   }
   if (std::ranges::any_of(frame.damage, [](double damage) { return damage > 0; }))
-    add("damage", Eigen::Map<const Eigen::RowVectorXd>(frame.damage.data(), Eigen::Index(frame.damage.size())), mean);
+    add("damage", row_of(frame.damage), mean);
   return result;
 }
 
@@ -216,8 +195,10 @@ std::string Pictures::json() const {
     Members data;
     for (const auto& field : picture.fields)
       for (std::size_t i = 0; i < scales.size(); ++i)
-        if (last_->fields[i].name == field.name)
-          data.emplace_back(field.name, json_text(base64(scales[i].codes(field.pixels))));
+        if (last_->fields[i].name == field.name) {
+          const auto codes = scales[i].codes(field.pixels);  // the low byte first
+          data.emplace_back(field.name, json_text(base64(std::as_bytes(std::span(codes)))));
+        }
     frames.push_back(json_object({{"time", json_number(picture.time, significant_digits)},
                                   {"columns", std::to_string(picture.columns)},
                                   {"rows", std::to_string(picture.rows)},

@@ -22,14 +22,19 @@ constexpr double nothing = 1e-6, rounding = 1e-8;  // of the largest factor of a
 
 using Text = std::back_insert_iterator<std::string>;
 
+/// The first of the texts, `most` of them; where there are more, how many there are in all.
+std::string shortened(std::vector<std::string> texts, std::size_t most) {
+  const auto all = texts.size();
+  if (all > most) texts.resize(most), texts.push_back(fmt::format("... ({} in all)", all));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 void growth(Text out, const GrowthSummary& growth) {
   constexpr std::size_t most = 8;
   std::vector<std::string> lengths;
-  for (std::size_t i = 0; i < std::min(most, growth.lengths.size()); ++i)
-    lengths.push_back(fmt::format("{:.4g}", growth.lengths[i]));
-  if (growth.lengths.size() > most) lengths.push_back(fmt::format("... ({} in all)", growth.lengths.size()));
-  if (lengths.empty()) lengths.push_back("none");
-  fmt::format_to(out, "growth: {}; lengths of the cracks: {}", growth.outcome, fmt::join(lengths, ", "));
+  for (const double length : growth.lengths) lengths.push_back(fmt::format("{:.4g}", length));
+  fmt::format_to(out, "growth: {}; lengths of the cracks: {}", growth.outcome,
+                 lengths.empty() ? "none" : shortened(std::move(lengths), most));
   if (growth.first_load_factor && *growth.first_load_factor > 0)
     fmt::format_to(out, "; load factor {:.5g}{} at the first advance, {:.5g} at most", *growth.first_load_factor,
                    growth.first_load_factor_error ? fmt::format(" +- {:.2g}", *growth.first_load_factor_error) : "",
@@ -54,8 +59,32 @@ std::optional<double> error_of(const Srif& srif, double thickness) {
   return known && largest > 0 ? error / largest : srif.estimated_error;
 }
 
-std::string in_percent(double error) {
-  return error >= 1 ? "> 100 %" : fmt::format("{:.2g} %", 100 * error);
+std::string in_percent(const std::optional<double>& error) {
+  if (!error) return "";
+  return *error >= 1 ? "> 100 %" : fmt::format("{:.2g} %", 100 * *error);
+}
+
+/// K1, K2, K3 as they are printed.
+std::array<std::string, 3> factor_texts(const Srif& srif, double thickness) {
+  const std::array values{srif.K1, srif.K2, srif.K3};
+  const double largest = largest_factor(srif, thickness);
+  std::array<std::string, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;
+    // refined points leave a small part of its error of a factor that is zero
+    constexpr double left = 0.05, well_known = 0.03;  // of its estimated error; of the largest factor
+    const double error = srif.errors[i].value_or(INFINITY), scale = i == 2 ? thickness : 1;
+    const bool zero = moment < rounding * largest || (moment < nothing * largest && size <= error) ||
+                      (size <= left * error && error * scale < well_known * largest);
+    result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
+  }
+  return result;
+}
+
+/// A place; what is nothing beside the thickness is 0.
+std::string place_text(const geometry::Point& x, double thickness) {
+  const auto text = [&](double at) { return std::abs(at) < nothing * thickness ? 0 : at; };
+  return fmt::format("({:.4g}, {:.4g})", text(x.x()), text(x.y()));
 }
 
 void row(Text out, const Srif& srif, bool normalized, double thickness) {
@@ -67,7 +96,7 @@ void row(Text out, const Srif& srif, bool normalized, double thickness) {
   for (std::size_t i = 0; i < 3 && normalized; ++i)
     fmt::format_to(out, " {:>9}", K[i] == "-" ? "-" : fmt::format("{:.5f}", K[i] == "0" ? 0 : F[i].value_or(0)));
   const auto error = error_of(srif, thickness);
-  fmt::format_to(out, " {:>8}  {}{}\n", error ? in_percent(*error) : "", name_of(srif.method),
+  fmt::format_to(out, " {:>8}  {}{}\n", in_percent(error), name_of(srif.method),
                  error && *error >= rough ? "   (rough)" : "");
 }
 
@@ -78,21 +107,16 @@ void factors(Text out, const std::vector<Srif>& srifs, bool si, double thickness
   if (si)
     fmt::format_to(out, "{:>4} {:>9} {:>9} {:>13} {:>13} {:>13}\n", "", "[m]", "[m]", "[N m^1/2]", "[N m^1/2]",
                    "[N m^-1/2]");
-  const auto recommended = [&](const Srif& one) { return &one == &srifs.front() || (&one)[-1].tip != one.tip; };
-  bool others = false;
+  const auto best = recommended(srifs);
+  for (const auto* one : best) row(out, *one, normalized, thickness);
+  if (best.size() < srifs.size()) fmt::format_to(out, "for comparison, by other methods:\n");
   for (const auto& one : srifs)
-    if (recommended(one))
-      row(out, one, normalized, thickness);
-    else
-      others = true;
-  if (others) fmt::format_to(out, "for comparison, by other methods:\n");
-  for (const auto& one : srifs)
-    if (!recommended(one)) row(out, one, normalized, thickness);
-  for (const auto& one : srifs)
-    if (one.second && recommended(one))
-      fmt::format_to(out, "tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", one.tip,
-                     one.second->formulation, name_of(one.second->method), one.second->K1, one.second->K2,
-                     one.second->K3, 100 * one.second->difference);
+    if (std::ranges::find(best, &one) == best.end()) row(out, one, normalized, thickness);
+  for (const auto* one : best)
+    if (const auto& second = one->second)
+      fmt::format_to(out, "tip {}: {} by {} gives K1 {:.6g}, K2 {:.6g}, K3 {:.6g}: {:.2f} % apart\n", one->tip,
+                     second->formulation, name_of(second->method), second->K1, second->K2, second->K3,
+                     100 * second->difference);
 }
 
 /// The factors at the faces, of recommended methods.
@@ -117,21 +141,18 @@ void faces(Text out, const Summary& summary, bool si) {
   }
 }
 
-void reactions(Text out, const ReactionSummary& reactions, bool si) {
-  constexpr std::size_t most = 12;
+/// `of`: the unit and the load case. Beside `size` [force] what is nothing is 0.
+void reactions(Text out, const ReactionSummary& reactions, const std::string& of, double size, std::size_t most) {
   const auto& supports = reactions.supports;
   const auto& balance = reactions.balance;
-  double size = std::abs(balance.loads.force);
-  for (const auto& one : balance.supports) size = std::max(size, std::abs(one.force));
   const auto force = [&](const Wrench& wrench) {
     return std::abs(wrench.force) < nothing * size ? "0" : fmt::format("{:.5g}", wrench.force);
   };
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < std::min(most, supports.size()); ++i)
+  for (std::size_t i = 0; i < supports.size(); ++i)
     texts.push_back(fmt::format("{} {}", supports[i].name, force(balance.supports[i])));
-  if (supports.size() > most) texts.push_back(fmt::format("... ({} in all)", supports.size()));
-  fmt::format_to(out, "reactions along w{}: {}; loads {}{}; balanced to {:.1e}\n", si ? " [N]" : "",
-                 fmt::join(texts, ", "), force(balance.loads),
+  fmt::format_to(out, "reactions along w{}: {}; loads {}{}; balanced to {:.1e}\n", of,
+                 shortened(std::move(texts), most), force(balance.loads),
                  balance.inertia ? fmt::format(", inertia {}", force(*balance.inertia)) : "", balance.residual);
 }
 
@@ -163,33 +184,39 @@ void accuracy(Text out, const AccuracySummary& accuracy) {
                    step.seconds, step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
 }
 
-}  // namespace
+/// Factors of every load case and combination.
+void factors_of_cases(Text out, const Summary& summary, bool si, double thickness) {
+  std::size_t width = 4;
+  for (const auto& one : summary.load_cases) width = std::max(width, one.name.size());
+  fmt::format_to(out, "{:<{}} {:>4} {:>13} {:>13} {:>13} {:>8}  method\n", "case", width, "tip", "K1", "K2", "K3",
+                 "error");
+  if (si) fmt::format_to(out, "{:{}} {:>18} {:>13} {:>13}\n", "", width, "[N m^1/2]", "[N m^1/2]", "[N m^-1/2]");
+  for (const auto& one : summary.load_cases)
+    for (const auto* srif : recommended(one.srif)) {
+      const auto K = factor_texts(*srif, thickness);
+      fmt::format_to(out, "{:<{}} {:>4} {:>13} {:>13} {:>13} {:>8}  {}\n", one.name, width, srif->tip, K[0], K[1], K[2],
+                     in_percent(error_of(*srif, thickness)), name_of(srif->method));
+    }
+}
 
-std::array<std::string, 3> factor_texts(const Srif& srif, double thickness) {
-  const std::array values{srif.K1, srif.K2, srif.K3};
-  const double largest = largest_factor(srif, thickness);
-  std::array<std::string, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;
-    // refined points leave a small part of its error of a factor that is zero
-    constexpr double left = 0.05, well_known = 0.03;  // of its estimated error; of the largest factor
-    const double error = srif.errors[i].value_or(INFINITY), scale = i == 2 ? thickness : 1;
-    const bool zero = moment < rounding * largest || (moment < nothing * largest && size <= error) ||
-                      (size <= left * error && error * scale < well_known * largest);
-    result[i] = !srif.resolved[i] ? "-" : zero ? "0" : fmt::format("{:.6g}", values[i]);
+void largest_of_cases(Text out, const std::vector<EnvelopeEntry>& envelope, double thickness) {
+  const auto size = [&](const EnvelopeEntry& one) {
+    return std::max(std::abs(one.value), one.error.value_or(0)) * (one.quantity == "K3" ? thickness : 1);
+  };
+  fmt::format_to(out, "largest of all load cases and combinations:\n");
+  for (const auto& one : envelope) {
+    const bool noise = one.quantity != "G" && std::ranges::any_of(envelope, [&](const EnvelopeEntry& other) {
+                         return other.tip == one.tip && other.quantity != "G" && size(one) < nothing * size(other);
+                       });
+    const bool known = one.error.value_or(0) <= std::abs(one.value);
+    if (!noise)
+      fmt::format_to(out, "{:>4} {:<3} {:>13} {:<11}  {}\n", one.tip, one.quantity,
+                     known ? fmt::format("{:.6g}", one.value) : "-",
+                     one.error ? fmt::format("+- {:.2g}", *one.error) : "", known ? one.of : "not resolved in all");
   }
-  return result;
 }
 
-std::string place_text(const geometry::Point& x, double thickness) {
-  const auto text = [&](double at) { return std::abs(at) < nothing * thickness ? 0 : at; };
-  return fmt::format("({:.4g}, {:.4g})", text(x.x()), text(x.y()));
-}
-
-std::string error_text(const Srif& srif, double thickness) {
-  const auto error = error_of(srif, thickness);
-  return error ? in_percent(*error) : "";
-}
+}  // namespace
 
 std::string printed(const Summary& summary, bool si, double thickness, const std::filesystem::path& folder) {
   std::string text;
@@ -205,7 +232,12 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);
   if (!summary.faces.empty() && (si || summary.toughness)) faces(out, summary, si);
   if (!summary.load_cases.empty()) text += printed_load_cases(summary, si, thickness);
-  if (summary.reactions) reactions(out, *summary.reactions, si);
+  if (summary.reactions) {
+    const auto& [of_supports, loads, inertia, residual] = summary.reactions->balance;
+    double size = std::abs(loads.force);
+    for (const auto& one : of_supports) size = std::max(size, std::abs(one.force));
+    reactions(out, *summary.reactions, si ? " [N]" : "", size, 12);
+  }
   if (summary.touching) fmt::format_to(out, "soil touches {:.1f} % of what lies above it\n", 100 * *summary.touching);
   if (summary.multipliers)
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
@@ -234,75 +266,13 @@ std::string results_in(const std::filesystem::path& folder) {
              : fmt::format("results in {}\n", folder.string());
 }
 
-namespace {
-
-constexpr double negligible = 1e-6;  // of the largest factor of a tip
-
-bool recommended(const std::vector<Srif>& all, std::size_t i) {
-  return i == 0 || all[i - 1].tip != all[i].tip;
-}
-
-void print_factors(std::string& text, const Summary& summary, bool si, double thickness) {
-  const auto out = std::back_inserter(text);
-  std::size_t width = 4;
-  for (const auto& one : summary.load_cases) width = std::max(width, one.name.size());
-  fmt::format_to(out, "{:<{}} {:>4} {:>13} {:>13} {:>13} {:>8}  method\n", "case", width, "tip", "K1", "K2", "K3",
-                 "error");
-  if (si) fmt::format_to(out, "{:{}} {:>18} {:>13} {:>13}\n", "", width, "[N m^1/2]", "[N m^1/2]", "[N m^-1/2]");
-  for (const auto& one : summary.load_cases)
-    for (std::size_t i = 0; i < one.srif.size(); ++i) {
-      if (!recommended(one.srif, i)) continue;
-      const auto K = factor_texts(one.srif[i], thickness);
-      fmt::format_to(out, "{:<{}} {:>4} {:>13} {:>13} {:>13} {:>8}  {}\n", one.name, width, one.srif[i].tip, K[0], K[1],
-                     K[2], error_text(one.srif[i], thickness), name_of(one.srif[i].method));
-    }
-}
-
-void print_envelope(std::string& text, const Summary& summary, double thickness) {
-  const auto out = std::back_inserter(text);
-  const auto size = [&](const EnvelopeEntry& one) {
-    return std::max(std::abs(one.value), one.error.value_or(0)) * (one.quantity == "K3" ? thickness : 1);
-  };
-  fmt::format_to(out, "largest of all load cases and combinations:\n");
-  for (const auto& one : summary.envelope) {
-    const bool noise = one.quantity != "G" && std::ranges::any_of(summary.envelope, [&](const EnvelopeEntry& other) {
-                         return other.tip == one.tip && other.quantity != "G" && size(one) < negligible * size(other);
-                       });
-    const bool known = one.error.value_or(0) <= std::abs(one.value);
-    if (!noise)
-      fmt::format_to(out, "{:>4} {:<3} {:>13} {:<11}  {}\n", one.tip, one.quantity,
-                     known ? fmt::format("{:.6g}", one.value) : "-",
-                     one.error ? fmt::format("+- {:.2g}", *one.error) : "", known ? one.of : "not resolved in all");
-  }
-}
-
-void print_reactions(std::string& text, const Summary& summary, bool si) {
-  constexpr std::size_t most = 8;
-  for (const auto& one : summary.load_cases) {
-    if (!one.reactions) continue;
-    const auto& balance = one.reactions->balance;
-    std::vector<std::string> parts;
-    for (std::size_t i = 0; i < std::min(most, balance.supports.size()); ++i) {
-      const double force = balance.supports[i].force;
-      const bool small = std::abs(force) < negligible * std::abs(balance.loads.force);
-      parts.push_back(fmt::format("{} {:.5g}", one.reactions->supports[i].name, small ? 0 : force));
-    }
-    if (balance.supports.size() > most) parts.push_back(fmt::format("... ({} in all)", balance.supports.size()));
-    fmt::format_to(std::back_inserter(text), "reactions along w{}, {}: {}; loads {:.5g}; balanced to {:.1e}\n",
-                   si ? " [N]" : "", one.name, fmt::join(parts, ", "), balance.loads.force, balance.residual);
-  }
-}
-
-}  // namespace
-
 std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases) {
   static const std::array names{"K1", "K2", "K3", "G"};
   std::map<std::pair<std::size_t, std::size_t>, EnvelopeEntry> found;
   std::map<std::pair<std::size_t, std::size_t>, double> lost;  // what factors that are not resolved may be
   for (const auto& one : cases)
-    for (std::size_t i = 0; i < one.srif.size(); ++i) {
-      const auto& srif = one.srif[i];
-      if (!recommended(one.srif, i)) continue;
+    for (const auto* best : recommended(one.srif)) {
+      const auto& srif = *best;
       for (std::size_t k = 0; k < 3; ++k)
         if (auto& most = lost[{srif.tip, k}]; !srif.resolved[k])
           most = std::max(most, std::abs(std::array{srif.K1, srif.K2, srif.K3}[k]) + srif.errors[k].value_or(0));
@@ -326,8 +296,8 @@ std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases) {
 Table envelope_table(const std::vector<EnvelopeEntry>& entries) {
   Table table{{"tip", "x", "y", "quantity", "value", "estimated_error", "case"}, {}};
   for (const auto& one : entries)
-    table.rows.push_back({double(one.tip), one.position.x(), one.position.y(), one.quantity, one.value,
-                          one.error ? Cell(*one.error) : Cell(), one.of});
+    table.rows.push_back(
+        {double(one.tip), one.position.x(), one.position.y(), one.quantity, one.value, cell(one.error), one.of});
   return table;
 }
 
@@ -339,14 +309,18 @@ void name_cases(Table& table, const std::vector<LoadCaseSummary>& cases) {
 
 std::string printed_load_cases(const Summary& summary, bool si, double thickness) {
   std::string text;
+  const Text out(text);
   const bool factors = std::ranges::any_of(summary.load_cases, [](const auto& one) { return !one.srif.empty(); });
-  if (factors) print_factors(text, summary, si, thickness);
-  if (!summary.envelope.empty()) print_envelope(text, summary, thickness);
-  print_reactions(text, summary, si);
+  if (factors) factors_of_cases(out, summary, si, thickness);
+  if (!summary.envelope.empty()) largest_of_cases(out, summary.envelope, thickness);
+  for (const auto& one : summary.load_cases)
+    if (one.reactions)
+      reactions(out, *one.reactions, (si ? " [N], " : ", ") + one.name, std::abs(one.reactions->balance.loads.force),
+                8);
   for (const auto& one : summary.load_cases)
     for (const auto& peak : one.extremes)
       if (peak.quantity == "w" && peak.position)
-        fmt::format_to(std::back_inserter(text), "largest |w|, {}: {:.6g} at {}\n", one.name, peak.value,
+        fmt::format_to(out, "largest |w|, {}: {:.6g} at {}\n", one.name, peak.value,
                        place_text(*peak.position, thickness));
   return text;
 }

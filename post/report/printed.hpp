@@ -1,15 +1,13 @@
 #pragma once
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "geometry/shape/outline.hpp"
-#include "post/files/summary.hpp"
-
 namespace post {
 
-struct Srif;
+struct EnvelopeEntry;
+struct LoadCaseSummary;
+struct Summary;
 struct Table;
 
 /// Text for the user at the end of a run: one row of factors per tip by the recommended method, the other methods below
@@ -20,12 +18,6 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
 
 /// The line that names the folder of the results, and report.html where it was written.
 std::string results_in(const std::filesystem::path& folder);
-
-/// K1, K2, K3 as they are printed, and the error of a row; empty where it is not known.
-std::array<std::string, 3> factor_texts(const Srif& srif, double thickness);
-std::string error_text(const Srif& srif, double thickness);
-/// A place; what is nothing beside the thickness is 0.
-std::string place_text(const geometry::Point& x, double thickness);
 
 /// Largest |K1|, |K2|, |K3| and G of every tip, by recommended methods, and the load case or combination that gives
 /// each. Where one has a factor that is not resolved, the error is at least the amount by which that factor may be

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "plate/solve/analysis.hpp"
 #include "post/files/summary.hpp"
@@ -184,9 +185,7 @@ std::optional<double> of_summary(const Quantity& quantity, const Summary& summar
   if (quantity.name == "largest_load_factor") return growth ? growth->largest_load_factor : std::nullopt;
   if (quantity.name == "crack_length") {
     if (!growth) return std::nullopt;
-    double sum = 0;
-    for (const double one : growth->lengths) sum += one;
-    return sum;
+    return std::accumulate(growth->lengths.begin(), growth->lengths.end(), 0.0);
   }
   const auto end = quantity.name.find("_peak");
   for (const auto& peak : summary.peaks)

@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "post/files/summary.hpp"
-
 namespace post {
 
 struct Curve;
+struct Summary;
 struct Table;
 
 /// Reads from summary.json of a finished run: formulation, outcome, points, bonds, iterations, seconds, factors

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/operator.hpp"
@@ -92,8 +93,7 @@ Supports::Supports(const plate::Boundary& boundary) : boundary_(&boundary) {
     for (const auto holder : all->second) shares_.push_back({holder, i, 1.0 / double(all->second.size()) * unit});
   }
   std::ranges::stable_sort(shares_, {}, &Share::holder);
-  Point low = positions.front(), high = low;
-  for (const auto& x : positions) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  auto [low, high] = geometry::bounding_box(positions);
   for (const Eigen::Index axis : {0, 1})
     low[axis] = -plate::largest_of(boundary_->map, -low[axis]),
     high[axis] = plate::largest_of(boundary_->map, high[axis]);

@@ -2,7 +2,7 @@
 #include <memory>
 #include <optional>
 
-#include "plate/formulation/boundary.hpp"
+#include "plate/model/numerical_method.hpp"
 #include "plate/model/state.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
@@ -10,6 +10,7 @@
 namespace plate {
 class Formulation;
 class Operator;
+struct Boundary;
 struct Instant;
 }  // namespace plate
 

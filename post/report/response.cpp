@@ -9,20 +9,13 @@
 
 #include "plate/model/space.hpp"
 #include "post/files/recorder.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 
 namespace post {
 namespace {
 
 constexpr std::array factor_names{"K1", "K2", "K3"};
-
-/// Recommended factors of each tip, which are its first.
-std::vector<const Srif*> recommended(const std::vector<Srif>& all) {
-  std::vector<const Srif*> result;
-  for (const auto& one : all)
-    if (result.empty() || result.back()->tip != one.tip) result.push_back(&one);
-  return result;
-}
 
 /// Quantities of one kind are compared with each other.
 std::string kind_of(const std::string& quantity) {
@@ -93,7 +86,7 @@ Table response_table(const std::vector<Response>& all) {
   for (const auto& one : all) {
     const double degrees = std::arg(one.value) * 180 / std::numbers::pi;
     table.rows.push_back({one.frequency, one.place, one.quantity, one.resolved ? Cell(std::abs(one.value)) : Cell(),
-                          one.resolved ? Cell(degrees) : Cell(), one.error ? Cell(*one.error) : Cell()});
+                          one.resolved ? Cell(degrees) : Cell(), cell(one.error)});
   }
   return table;
 }

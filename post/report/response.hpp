@@ -1,12 +1,16 @@
 #pragma once
 #include <complex>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "plate/model/state.hpp"
-#include "post/files/summary.hpp"
 
 namespace post {
 
 struct Probe;
+struct ResponsePeak;
+struct Srif;
 struct Table;
 
 /// A quantity of a vibration at one frequency, (A + i B) with the load as its real part; its error bounds the

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace post::svg {
@@ -71,28 +72,14 @@ std::string ring(double x, double y) {
 namespace post {
 
 std::string escaped(const std::string& text) {
+  static const std::map<char, const char*> entities{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n') result += c;
-    }
-  }
+  for (const char c : text)
+    if (const auto found = entities.find(c); found != entities.end())
+      result += found->second;
+    else if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n')
+      result += c;
   return result;
 }
 

@@ -1,10 +1,10 @@
-#include "post/files/hdf5/loaded.hpp"
+#include "post/files/hdf5/state_file.hpp"
 
 #include <dlfcn.h>
 #include <stdexcept>
 
+#include "plate/model/communicator.hpp"
 #include "post/files/atomic_file.hpp"
-#include "post/files/hdf5/state_file.hpp"
 #include "post/files/point_order.hpp"
 
 namespace post {
@@ -17,12 +17,13 @@ const Files* loaded() {
   return static_cast<const Files*>(found);
 }
 
-}  // namespace
-
+/// Throws std::runtime_error where the library is not beside the program.
 const Files& files() {
   static const Files* const all = loaded();
   return *all;
 }
+
+}  // namespace
 
 StateFile::StateFile(Options options, const Mesh& mesh, const plate::Communicator& communicator)
     : order_(std::make_unique<const PointOrder>(order_of(communicator, mesh))),

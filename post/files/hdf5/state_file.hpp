@@ -69,7 +69,7 @@ public:
   void write(const std::string& name, const Table& table);
   void close();
 
-  /// The open file (loaded.hpp).
+  /// The open file.
   class Open {
   public:
     virtual ~Open() = default;
@@ -99,6 +99,13 @@ struct StoredRun {
   std::vector<double> times;
   std::vector<plate::State> states;
   std::string resolved_case = {};
+};
+
+/// Functions that need HDF5, in a library that is loaded where state.h5 is first written or read: the system takes as
+/// long to map the libraries behind HDF5 as a small plate takes to be solved.
+struct Files {
+  std::unique_ptr<StateFile::Open> (*open)(StateFile::Options options, const StateFile::Points& points);
+  StoredRun (*read_run)(const std::filesystem::path& path);
 };
 
 /// Throws std::runtime_error where the file is damaged, or the case beside it is not the one that it is of.

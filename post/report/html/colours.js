@@ -34,5 +34,5 @@ function colours_of(field) {
   const [from, to] = field.range, both = from < 0 && to > 0 && Math.min(-from, to) > 0.05 * Math.max(-from, to);
   const size = Math.max(-from, to);
   if (both) return { from: -size, to: size, map: diverging };
-  return { from, to: to > from ? to : from + (Math.abs(from) || 1) * 1e-6, map: from < 0 && to <= 0.05 * size && field.name !== "w" ? sequential : sequential };
+  return { from, to: to > from ? to : from + (Math.abs(from) || 1) * 1e-6, map: sequential };
 }

@@ -1,9 +1,8 @@
 "use strict";
 // Pieces of the page.
 
-/** An element with attributes and children; null children are left out. */
-function element(name, attributes = {}, ...children) {
-  const result = document.createElement(name);
+/** Gives an element attributes and children; null children are left out. */
+function filled(result, attributes, children) {
   for (const [key, value] of Object.entries(attributes))
     if (key.startsWith("on")) result.addEventListener(key.slice(2), value);
     else if (value !== null && value !== undefined) result.setAttribute(key, value);
@@ -11,13 +10,9 @@ function element(name, attributes = {}, ...children) {
   return result;
 }
 
+const element = (name, attributes = {}, ...children) => filled(document.createElement(name), attributes, children);
 /** The same in SVG. */
-function drawn(name, attributes = {}, ...children) {
-  const result = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) if (value !== null && value !== undefined) result.setAttribute(key, value);
-  result.append(...children.flat(Infinity).filter(child => child !== null && child !== undefined));
-  return result;
-}
+const drawn = (name, attributes = {}, ...children) => filled(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
 
 /** What stands at a path in summary.json, as in "srif[0].K1". */
 const at = path => path.split(/[.[\]]+/).filter(Boolean).reduce((value, key) => value?.[key], data.summary);

@@ -69,7 +69,7 @@ function along(edges, map, step) {
 const line = (a, b, kind) => drawn("line", { x1: a[0], y1: a[1], x2: b[0], y2: b[1], class: kind });
 const shifted = (p, d, by) => [p[0] + by * d[0], p[1] + by * d[1]];
 
-/** The straight pieces along which a support holds. */
+/** The straight pieces along which a support holds, or a beam or a spring acts. */
 const held_by = support => support.along ? support.along.slice(1).map((to, i) => ({ from: support.along[i], to })) : all_edges().filter(edge => support.edges.includes(edge.name));
 
 function support_marks(support, map) {
@@ -92,13 +92,12 @@ function support_marks(support, map) {
 
 /** Where the section has numbers of its own, the plate lies on soil, beams stiffen it and springs hold it. */
 function elastic_marks({ map }) {
-  const edges_of = one => one.along ? one.along.slice(1).map((to, i) => ({ from: one.along[i], to })) : all_edges().filter(edge => one.edges.includes(edge.name));
   const regions = (plate.section.regions ?? []).map(shape => drawn("path", { d: path_of(hole_vertices(shape), map, true), class: "patch" }));
-  const beams = plate.stiffeners.map(one => edges_of(one).map(({ from, to }) => line(map(from), map(to), "mirror")));
+  const beams = plate.stiffeners.map(one => held_by(one).map(({ from, to }) => line(map(from), map(to), "mirror")));
   const soil = plate.foundations.map(one => drawn("path", { d: path_of(one.patch ? hole_vertices(one.patch) : plate.outline, map, true), class: "patch" }));
   const coil = (at, t, out) => drawn("path", { d: path_of([0, 1, 2, 3, 4].map(n => shifted(shifted(at, out, 2 + 3 * n), t, n % 2 ? 3 : -3)), p => p), class: "hatch" });
   return [regions, soil, beams, plate.springs.map(one => {
-    const edges = edges_of(one);
+    const edges = held_by(one);
     return [along(edges, map, 24).map(({ at, out, t }) => coil(at, t, out)), one.position ? [coil(map(one.position), [1, 0], [0, 1])] : []];
   })].flat(4);
 }

@@ -2,6 +2,7 @@
 // of Mindlin with k and G_p, the infinite plate of Hertz, limits of springs, rigid plates.
 #include <numbers>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"

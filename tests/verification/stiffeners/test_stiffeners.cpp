@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/operator.hpp"

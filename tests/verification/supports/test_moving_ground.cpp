@@ -1,6 +1,7 @@
 // Supports that move in time, in both formulations: a plate on ground that moves as a whole is one at rest under the
 // inertia that the ground gives it.
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"

@@ -2,6 +2,7 @@
 // they stand.
 #include <Eigen/LU>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulations.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/report/reactions.hpp"

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <random>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/prescribed_displacements.hpp"

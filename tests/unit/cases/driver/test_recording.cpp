@@ -1,5 +1,6 @@
 #include "cases/driver/recording.hpp"
 
+#include "plate/formulation/discretised.hpp"
 #include "post/files/checkpoints.hpp"
 #include "post/files/results_in_memory.hpp"
 #include "post/files/summary.hpp"

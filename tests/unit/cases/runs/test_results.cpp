@@ -1,6 +1,7 @@
 #include "cases/runs/results.hpp"
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/motion/dynamics.hpp"

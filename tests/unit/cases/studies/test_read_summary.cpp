@@ -1,6 +1,7 @@
 #include "post/report/quantity.hpp"
 
 #include "plate/solve/analysis.hpp"
+#include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/post/small_run.hpp"
 

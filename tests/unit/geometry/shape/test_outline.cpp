@@ -71,6 +71,8 @@ TEST_CASE("edge_names are distinct and in order, edge_length adds edges and circ
   CHECK(edge_length(plate, "s") == Approx(2 + 2 * std::numbers::pi));
   CHECK(edge_length(plate, "left") == 10);
   CHECK(edge_length(plate, "nowhere") == 0);
+  CHECK(std::ranges::distance(circles(plate)) == 2);
+  CHECK((*circles(plate).begin()).name == "s");
 }
 
 TEST_CASE("contains: strictly inside, exactly") {

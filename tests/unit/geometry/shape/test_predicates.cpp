@@ -48,6 +48,9 @@ TEST_CASE("predicates: areas and distances of rings and segments, those without 
   CHECK(distance_to_segment({0, 0}, {4, 0}, {2, 3}) == 3);
   CHECK(distance_to_segment({0, 0}, {4, 0}, {7, 4}) == 5);
   CHECK(distance_to_segment({1, 1}, {1, 1}, {4, 5}) == 5);
+  CHECK(nearest_on_segment({0, 0}, {4, 0}, {2, 3}) == Point(2, 0));
+  CHECK(nearest_on_segment({0, 0}, {4, 0}, {7, 4}) == Point(4, 0));
+  CHECK(nearest_on_segment({1, 1}, {1, 1}, {4, 5}) == Point(1, 1));
   CHECK(boxes_meet({0, 0}, {1, 1}, {1, 1}, {2, 2}));
   CHECK(boxes_meet({1, 1}, {0, 0}, {2, 0.5}, {-1, 0.5}));
   CHECK_FALSE(boxes_meet({0, 0}, {1, 1}, {1.1, 0}, {2, 1}));

@@ -1,5 +1,4 @@
 #include "post/factors/errors.hpp"
-#include "post/factors/tip_integrals.hpp"
 #include "tests/catch.hpp"
 
 using namespace post;
@@ -13,7 +12,7 @@ Srif by_energy(SrifMethod method, double K1, double K2, double K3, double factor
   Srif result;
   result.method = method;
   result.K1 = K1, result.K2 = K2, result.K3 = K3;
-  result.G = factor * unit_release(section).dot(Eigen::Vector3d(K1, K2, K3).cwiseAbs2());
+  result.G = factor * TipSection(section).unit_release().dot(Eigen::Vector3d(K1, K2, K3).cwiseAbs2());
   return result;
 }
 
@@ -33,7 +32,7 @@ TEST_CASE("where all methods agree the errors are the least ones") {
       {by_energy(SrifMethod::domain_integral, 1, 0.2, 3), by_energy(SrifMethod::virtual_crack_extension, 1, 0.2, 3)},
       fits);
   const double e3 = (0.001 + 0.04 / 64) / 0.1;
-  const Eigen::Vector3d unit = unit_release(section);
+  const Eigen::Vector3d unit = TipSection(section).unit_release();
   for (const auto& srif : found) {
     const double taken = unit[2] / unit[0] * 3 * e3 / (1 + 0.04);  // of G by the error of K3
     CHECK(*srif.errors[0] == Approx(0.001 + taken));
@@ -81,14 +80,14 @@ TEST_CASE("without a fit K1 is given where the whole energy is its own, and not 
         .front();
   };
   CHECK(of(0.5).resolved[0]);  // the whole energy would give K1 1.6 % more
-  CHECK(*of(3).errors[0] > 2 * (std::sqrt(*of(3).G / unit_release(section)[0]) - 1));
+  CHECK(*of(3).errors[0] > 2 * (std::sqrt(*of(3).G / TipSection(section).unit_release()[0]) - 1));
   CHECK_FALSE(of(3).resolved[0]);
 }
 
 TEST_CASE("an integral that is not positive contradicts the others: nothing is resolved, with a fit or without") {
   for (const double energy : {0.0, -0.5}) {
     Srif contrary = by_energy(SrifMethod::domain_integral, 0, 0, 0);
-    contrary.G = energy * unit_release(section)[0];
+    contrary.G = energy * TipSection(section).unit_release()[0];
     for (const auto& fits : {std::vector<FitSrif>{}, std::vector<FitSrif>{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}}}) {
       const auto found = estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0.2, 3), contrary}, fits);
       CHECK(*found.front().errors[0] > 0.9);
@@ -154,7 +153,7 @@ TEST_CASE("points on the faces that are wider apart than the layer make K3 uncer
 
 TEST_CASE("an energy release rate that is not positive gives no factors, unless others of its tip were far larger") {
   Srif none = by_energy(SrifMethod::virtual_crack_extension, 0, 0, 0);
-  none.G = -1e-4 * unit_release(section)[0];  // as K1 = 0.01
+  none.G = -1e-4 * TipSection(section).unit_release()[0];  // as K1 = 0.01
   const std::vector<FitSrif> fits{{1, 4, 0.3, 0, 0}, {1, 3, 0.3, 0, 0}};
   CHECK(estimated({none, by_energy(SrifMethod::domain_integral, 0.3, 0, 0)}, fits).front().resolved ==
         std::array{false, false, false});

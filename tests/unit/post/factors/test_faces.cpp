@@ -1,6 +1,7 @@
 // What moment and shear intensity factors are at the faces of the plate.
 #include <numbers>
 
+#include "plate/model/section.hpp"
 #include "post/factors/srif.hpp"
 #include "tests/catch.hpp"
 

@@ -81,3 +81,11 @@ TEST_CASE("srif: every method has a name of its own, by which it is found") {
   CHECK_FALSE(srif_method("guesswork"));
   CHECK_FALSE(srif_method(""));
 }
+
+TEST_CASE("the recommended factors of a tip are the first that it has") {
+  std::vector<post::Srif> srifs(5);
+  for (std::size_t i = 0; i < srifs.size(); ++i) srifs[i].tip = i / 2;
+  const auto first = post::recommended(srifs);
+  CHECK(first == std::vector<const post::Srif*>{&srifs[0], &srifs[2], &srifs[4]});
+  CHECK(post::recommended({}).empty());
+}

@@ -4,6 +4,7 @@
 #include "plate/bonds/results.hpp"
 #include "post/factors/series_fit.hpp"
 #include "post/factors/tip_integrals.hpp"
+#include "post/factors/tip_section.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/plate/small_plate.hpp"
 
@@ -61,7 +62,7 @@ TEST_CASE("a unit field sampled on the lattice has its own energy release rate a
   const SeriesFit fit = series_fits(s.plate, s.tip, {3, 9, 6}, {1}).at(0);
   for (int mode = 0; mode < 3; ++mode) {
     const auto state = s.field(mode);
-    const double unit = unit_release(section)[mode];
+    const double unit = TipSection(section).unit_release()[mode];
     const Eigen::Vector3d K = fit(NearField(state, s.cloud.positions, {}));
     const double moved = release_rate(s.plate, s.tip, ring, true, state),
                  domain = release_rate(s.plate, s.tip, ring, false, state);

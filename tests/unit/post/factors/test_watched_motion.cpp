@@ -1,6 +1,8 @@
 #include "post/factors/watched_motion.hpp"
 
 #include "plate/formulation/discretised.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/lanczos_motion.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/report/reactions.hpp"
 #include "tests/unit/cases/case_text.hpp"

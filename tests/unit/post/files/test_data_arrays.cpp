@@ -20,6 +20,14 @@ TEST_CASE("what ParaView reads is well-formed XML") {
   }
 }
 
+TEST_CASE("bytes as text: the examples of RFC 4648") {
+  const auto text = [](std::string_view bytes) { return post::base64(std::as_bytes(std::span(bytes))); };
+  CHECK(text("") == "");
+  CHECK(text("f") == "Zg==");
+  CHECK(text("fo") == "Zm8=");
+  CHECK(text("foobar") == "Zm9vYmFy");
+}
+
 namespace {
 
 std::string_view content_of(std::string_view element) {

@@ -1,9 +1,10 @@
 #include "post/report/curves.hpp"
 
-#include "post/report/curve_plot.hpp"
-
 #include <cmath>
 
+#include "post/factors/srif.hpp"
+#include "post/files/table.hpp"
+#include "post/report/curve_plot.hpp"
 #include "tests/catch.hpp"
 
 namespace {

@@ -2,6 +2,7 @@
 #include "post/report/printed.hpp"
 
 #include "post/files/factor_rows.hpp"
+#include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "plate/model/section.hpp"
 #include "post/files/factor_rows.hpp"
+#include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 
 using namespace post;

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "plate/model/section.hpp"
 #include "tests/catch.hpp"
 
 namespace {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/statics.hpp"
