@@ -4,16 +4,11 @@
 #include <set>
 
 #include "cases/driver/case_plan.hpp"
-#include "cases/driver/run.hpp"
-#include "cases/input/keys.hpp"
 #include "cases/runs/run_plan.hpp"
 #include "cases/studies/orders.hpp"
 #include "geometry/shape/outline.hpp"
-#include "plate/model/errors.hpp"
 #include "plate/model/process.hpp"
-#include "plate/solve/interruption.hpp"
 #include "post/files/run_folder.hpp"
-#include "post/files/summary.hpp"
 #include "post/report/quantity.hpp"
 
 namespace cases {
@@ -47,50 +42,7 @@ std::string lacking(const RunPlan& plan, const post::Quantity& quantity) {
   return *quantity.tip < tips ? "" : fmt::format("the case has {} crack tips, counted from 0", tips);
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-/// The unit of a key in SI units; "" without one.
-std::string si_unit(const std::string& key) {
-  const auto known = std::ranges::find(keys(), key, &Key::name);
-  return known == keys().end() ? "" : post::si_unit_of(known->unit);
-}
-
-StudyTitles titles(const Study& study) {
-  StudyTitles result{study.title, study.axis_names(), true};
-  for (const auto& run : study.runs) result.si = result.si && run.file.content.units == "SI";
-  for (std::size_t i = 0; i < study.axes.size(); ++i)
-    if (const auto unit = si_unit(study.axes[i].key); result.si && !unit.empty())
-      result.axes[i] += fmt::format(" [{}]", unit);
-  return result;
-}
-
-Ended ended_run(const CaseFile& file, const fs::path& folder) {
-  try {
-    run(file, {folder, true});
-    return {RunOutcome::done};
-  } catch (const CaseError& error) {
-    return {RunOutcome::refused, error.what()};
-  } catch (const plate::NumericalError& error) {
-    return {RunOutcome::failed, error.what()};
-  } catch (const plate::Interrupted& asked) {
-    return {RunOutcome::interrupted, asked.what()};
-  }
-}
-
-/// The version and the time of this very program: another build of it may find other numbers.
-std::string program() {
-  return fmt::format("{} of {}", PDPLATE_VERSION, plate::build());
-}
-
-RunRecord wanted_record(const StudyRun& run) {
-  return {run.folder, post::digest(resolved_toml(run.file.content)), program(), RunOutcome::done};
-}
-
-}  // namespace
-
-std::vector<std::string> StudyPlan::axis_names() const {
+std::vector<std::string> Study::axis_names() const {
   std::vector<std::string> names;
   for (const auto& axis : axes) names.push_back(axis.name);
   return names;
@@ -102,21 +54,6 @@ StudyRow bare_row(const StudyRun& run) {
   row.spacing = run.file.content.discretization.spacing;
   row.horizon = run.file.content.discretization.horizon();
   return row;
-}
-
-StudyOutcome run_study(const Study& study, const StudyOptions& options) {
-  StudyJobs work{titles(study), study.axis_names(), {}, study.repeats};
-  for (const auto& run : study.runs) {
-    const auto& c = run.file.content;
-    work.jobs.push_back({wanted_record(run), bare_row(run), run.wanted,
-                         weight(geometry::area(c.outline), c.discretization.spacing),
-                         [&] { return ended_run(run.file, options.folder / run.folder); }});
-  }
-  try {
-    return run_study(work, options);
-  } catch (const StudyRefused& refused) {
-    throw CaseError({{refused.option, refused.value, refused.what()}});
-  }
 }
 
 namespace {
@@ -272,19 +209,23 @@ void check_finest(const Study& study, Reading& reading) {
 
 }  // namespace
 
-Study read_study(const fs::path& path) {
+Study read_study(const std::filesystem::path& path) {
   const toml::table root = parsed(path, "study");
   Reading reading(path.string());
   Study study;
   study.title = path.stem().string();
-  read_fields(study_fields(), Value(root, "", reading), static_cast<StudyPlan&>(study));
+  read_fields(study_fields(), Value(root, "", reading), study);
   check_axes(study, reading);
   if (reading.sound("axis")) check_references(study, reading);
   if (reading.sound("axis") && reading.sound("case") && reading.sound("set")) Runs(study, reading).read();
   if (reading.problems().empty()) check_finest(study, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
+  const auto program = fmt::format("{} of {}", PDPLATE_VERSION, plate::build());  // other builds may find other numbers
   std::set<std::string> taken;
-  for (auto& run : study.runs) taken.insert(run.folder = folder_name(run.labels, taken));
+  for (auto& run : study.runs) {
+    taken.insert(run.folder = folder_name(run.labels, taken));
+    run.record = {run.folder, post::digest(resolved_toml(run.file.content)), program};
+  }
   return study;
 }
 

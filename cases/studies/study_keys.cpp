@@ -1,4 +1,4 @@
-#include "cases/studies/plan.hpp"
+#include "cases/studies/study.hpp"
 
 #include "post/files/table.hpp"
 
@@ -153,16 +153,16 @@ Fields<Reference> reference_fields() {
 
 }  // namespace
 
-Fields<StudyPlan> study_fields() {
-  return {word<StudyPlan>("title", &StudyPlan::title),
-          word<StudyPlan>("source", &StudyPlan::source),
-          case_file<StudyPlan>(),
-          settings<StudyPlan>(),
-          tables<StudyPlan, Axis>("axis", Layout::block, &StudyPlan::axes, axis_fields()),
-          number<StudyPlan>("repeats", "-", &StudyPlan::repeats, {1, 1000}, ""),
-          tables<StudyPlan, StudyPlan::Listed>("quantities", Layout::block, &StudyPlan::quantities,
-                                               asked_fields<StudyPlan::Listed>()),
-          tables<StudyPlan, Reference>("reference", Layout::block, &StudyPlan::references, reference_fields(),
+Fields<Study> study_fields() {
+  return {word<Study>("title", &Study::title),
+          word<Study>("source", &Study::source),
+          case_file<Study>(),
+          settings<Study>(),
+          tables<Study, Axis>("axis", Layout::block, &Study::axes, axis_fields()),
+          number<Study>("repeats", "-", &Study::repeats, {1, 1000}, ""),
+          tables<Study, Study::Listed>("quantities", Layout::block, &Study::quantities,
+                                               asked_fields<Study::Listed>()),
+          tables<Study, Reference>("reference", Layout::block, &Study::references, reference_fields(),
                                        check_reference)};
 }
 
