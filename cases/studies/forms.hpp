@@ -10,6 +10,13 @@ struct Setting {
   std::string text, place;
 };
 
+/// The fields of both.
+template <class T>
+Fields<T> joined(Fields<T> fields, const Fields<T>& more) {
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
 template <class T>
 Field<T> entry(const std::string& name, const std::string& allowed, std::function<void(const Value&, T&)> read) {
   return {name, {{name, "", allowed, "", ""}}, std::move(read), {}};

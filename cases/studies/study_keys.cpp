@@ -136,19 +136,15 @@ Fields<T> asked_fields() {
 }
 
 Fields<Reference> reference_fields() {
-  Fields<Reference> fields = asked_fields<Reference>();
-  const Fields<Reference> others{
-      entry<Reference>("where", "", read_where),
-      entry<Reference>("value", "a number", read_value),
-      entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
-      entry<Reference>("finest", "true", read_finest),
-      entry<Reference>("curve", "a file", read_curve),
-      entry<Reference>("column", "the name of a column of the file", read_column)
-          .required()
-          .with({"curve", "curve", has_curve}),
-      word<Reference>("source", &Reference::source)};
-  fields.insert(fields.end(), others.begin(), others.end());
-  return fields;
+  return joined<Reference>(
+      asked_fields<Reference>(),
+      {entry<Reference>("where", "", read_where), entry<Reference>("value", "a number", read_value),
+       entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
+       entry<Reference>("finest", "true", read_finest), entry<Reference>("curve", "a file", read_curve),
+       entry<Reference>("column", "the name of a column of the file", read_column)
+           .required()
+           .with({"curve", "curve", has_curve}),
+       word<Reference>("source", &Reference::source)});
 }
 
 }  // namespace
