@@ -19,16 +19,6 @@ Words<const plate::FormulationKind*> formulation_words() {
   return words;
 }
 
-Field<plate::Discretization> refine_tips() {
-  using D = plate::Discretization;
-  return value<D>(
-      {"refine_tips", "-", "true or false", "",
-       "at rest without tip_spacing: closer points at tips where the plate is thinner than 12 spacings, or something "
-       "lies within 24 spacings of a tip"},
-      [](const Value& given, D& d) { d.refine_tips = given.boolean().value_or(d.refine_tips); },
-      [](const D& d) { return std::string(d.refine_tips ? "true" : "false"); });
-}
-
 }  // namespace
 
 Fields<plate::Discretization> discretization_fields() {
@@ -76,7 +66,10 @@ Fields<plate::Discretization> discretization_fields() {
       number<D>("hole_spacing", "length", &D::hole_spacing, positive,
                 "distance of the points at holes and at parts that are held")
           .with(graded),
-      refine_tips().with(graded),
+      boolean<D>("refine_tips", &D::refine_tips,
+                 "at rest without tip_spacing: closer points at tips where the plate is thinner than 12 spacings, or "
+                 "something lies within 24 spacings of a tip")
+          .with(graded),
       number<D>("spacing_growth", "-", &D::spacing_growth, {0.02, 1}, "growth of that distance per length from there")
           .with(graded),
   };

@@ -15,11 +15,8 @@ Fields<plate::Foundation> foundation_fields() {
                                hole_fields("the disc that lies on the foundation, without it the plate",
                                            "the polygon that lies on the foundation, without it the plate"),
                                check_hole),
-      value<F>(
-          {"lifts_off", "-", "true or false", "false",
-           "the plate may lift off: it is pressed along w where w < 0, and nowhere pulled"},
-          [](const Value& given, F& f) { f.unilateral = given.boolean().value_or(false); },
-          [](const F& f) { return std::string(f.unilateral ? "true" : "false"); }),
+      boolean<F>("lifts_off", &F::unilateral,
+                 "the plate may lift off: it is pressed along w where w < 0, and nowhere pulled"),
   };
 }
 
@@ -163,9 +160,7 @@ Field<Load> tensor() {
       },
       [](const Load& load) {
         const auto& tensor = tensor_of(load);
-        if (!tensor) return std::string();
-        return fmt::format("[{}, {}, {}]", number_text((*tensor)[0]), number_text((*tensor)[1]),
-                           number_text((*tensor)[2]));
+        return tensor ? text_of_numbers(*tensor) : "";
       });
 }
 

@@ -140,14 +140,11 @@ std::optional<std::vector<geometry::Point>> Value::points() const {
   return std::nullopt;
 }
 
-std::optional<std::vector<Value>> Value::elements(const std::string& form) const {
+std::vector<Value> Value::elements(const std::string& form) const {
   const auto* array = node_->as_array();
-  if (!array) {
-    refuse(form);
-    return std::nullopt;
-  }
+  if (!array) refuse(form);
   std::vector<Value> values;
-  for (std::size_t i = 0; i < array->size(); ++i)
+  for (std::size_t i = 0; array && i < array->size(); ++i)
     values.emplace_back((*array)[i], fmt::format("{}[{}]", key_, i), *reading_);
   return values;
 }

@@ -71,7 +71,7 @@ public:
   std::optional<std::vector<std::string>> texts() const;
   std::optional<geometry::Point> point() const;
   std::optional<std::vector<geometry::Point>> points() const;
-  std::optional<std::vector<Value>> elements(const std::string& form) const;
+  std::vector<Value> elements(const std::string& form) const;
 
 private:
   const toml::node* node_;

@@ -45,8 +45,7 @@ Field<T> case_file() {
 template <class T>
 Field<T> settings() {
   return entry<T>("set", "", [](const Value& given, T& object) {
-    const auto elements = given.elements("a list of overrides [\"key=value\", ...]");
-    for (const auto& element : elements.value_or(std::vector<Value>()))
+    for (const auto& element : given.elements("a list of overrides [\"key=value\", ...]"))
       if (const auto text = element.text()) object.set.push_back({*text, given.reading().found().place(element.key())});
   });
 }

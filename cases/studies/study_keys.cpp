@@ -103,8 +103,8 @@ void check_reference(const Value& given, Reference& reference) {
 /// The short form of the points of an axis: the values of its key.
 void read_values(const Value& given, Axis& axis) {
   const auto elements = given.elements("a list of values of the key");
-  if (elements && elements->empty()) given.refuse("a list of values of the key");
-  for (const auto& value : elements.value_or(std::vector<Value>())) {
+  if (elements.empty() && given.reading().sound(given.key())) given.refuse("a list of values of the key");
+  for (const auto& value : elements) {
     auto& point = axis.points.emplace_back();
     point.label = value.is_text() ? *value.text() : value.toml();
     point.set.push_back({axis.key + "=" + value.toml(), given.reading().found().place(value.key())});
