@@ -43,9 +43,6 @@ void check_hole(const Value& hole, geometry::Hole& content);
 Fields<plate::Discretization> discretization_fields();
 Fields<plate::Support> support_fields();
 Fields<plate::Load> load_fields();
-/// A file of pressures beside the case, and what it said when the case was resolved.
-Field<plate::Load> table_field();
-Field<plate::Load> table_digest_field();
 Fields<plate::LoadCase> load_case_fields();
 Fields<plate::Combination> combination_fields();
 Fields<plate::Foundation> foundation_fields();
