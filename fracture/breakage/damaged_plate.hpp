@@ -23,8 +23,6 @@ struct Frame;
 
 namespace fracture {
 
-struct BreakageCheckpoint;
-
 /// A bond between two points, the lower number first.
 using PointPair = std::array<std::uint32_t, 2>;
 /// A bond of which this rank does not know both ends.
@@ -108,8 +106,6 @@ private:
   struct FirstLoss {
     std::uint64_t event, place;
   };
-  BreakageCheckpoint memory() const;
-  void restore(const BreakageCheckpoint& memory);
   void lose(std::uint32_t k, std::size_t i, std::uint64_t place);
   Change& change(std::uint32_t k);
   /// The families without their broken bonds, and where they go.
