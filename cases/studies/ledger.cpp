@@ -34,25 +34,17 @@ std::optional<double> stage(const Cost& cost, const std::string& name) {
   return std::nullopt;
 }
 
-post::Cell ledger_cell(const std::optional<double>& number) {
-  return number ? post::Cell(*number) : post::Cell();
-}
-
-post::Cell ledger_cell(const std::string& word) {
-  return word.empty() ? post::Cell() : post::Cell(word);
-}
-
 std::vector<post::Cell> row_of(const RunRecord& r) {
-  std::vector<post::Cell> row{ledger_cell("./" + r.run),
-                              ledger_cell("id " + r.digest),  // words, not numbers
-                              ledger_cell("version " + r.version),
-                              ledger_cell(name_of(r.outcome)),
-                              ledger_cell(r.message),
+  std::vector<post::Cell> row{post::cell("./" + r.run),
+                              post::cell("id " + r.digest),  // words, not numbers
+                              post::cell("version " + r.version),
+                              post::cell(name_of(r.outcome)),
+                              post::cell(r.message),
                               double(r.cost.repeats),
-                              ledger_cell(stage(r.cost, "total")),
+                              post::cell(stage(r.cost, "total")),
                               r.cost.repeats > 0 ? post::Cell(r.cost.least) : post::Cell(),
                               r.cost.repeats > 0 ? post::Cell(r.cost.most) : post::Cell()};
-  for (const char* name : stages) row.push_back(ledger_cell(stage(r.cost, name)));
+  for (const char* name : stages) row.push_back(post::cell(stage(r.cost, name)));
   return row;
 }
 
