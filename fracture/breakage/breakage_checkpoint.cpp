@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "fracture/breakage/damaged_plate.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/solve/gathered_archives.hpp"
 
 namespace fracture {

@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/bonds/family_operator.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/model/reduction.hpp"
 
 namespace fracture {

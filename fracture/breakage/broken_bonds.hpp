@@ -6,9 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "plate/bonds/family_operator.hpp"
 #include "plate/bonds/family_weights.hpp"
-#include "plate/formulation/boundary.hpp"
+
+namespace plate {
+struct Boundary;
+class FamilyOperator;
+}  // namespace plate
 
 namespace fracture {
 

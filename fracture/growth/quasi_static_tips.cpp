@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "fracture/growth/archive.hpp"
 #include "plate/model/errors.hpp"
+#include "post/files/archive.hpp"
 
 namespace fracture {
 namespace {
