@@ -31,14 +31,18 @@ Field<T> word(const std::string& name, Project project) {
   });
 }
 
+/// A file that is named relative to the one that is read.
+inline std::filesystem::path file_beside(const Value& given, const std::string& name) {
+  auto path = given.reading().folder / name;
+  if (!std::filesystem::exists(path)) given.report_error(fmt::format("no such file: {}", path.string()));
+  return path;
+}
+
 template <class T>
 Field<T> case_file() {
   return entry<T>("case", "a case file", [](const Value& given, T& object) {
     const auto name = given.text();
-    if (!name) return;
-    object.case_file = std::filesystem::path(given.reading().found().place("")).parent_path() / *name;
-    if (!std::filesystem::exists(*object.case_file))
-      given.report_error(fmt::format("no such file: {}", object.case_file->string()));
+    if (name) object.case_file = file_beside(given, *name);
   });
 }
 

@@ -5,15 +5,6 @@
 namespace cases {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A file that is named relative to the study file.
-fs::path beside_study(const Value& given, const std::string& name) {
-  const fs::path path = fs::path(given.reading().found().place("")).parent_path() / name;
-  if (!fs::exists(path)) given.report_error(fmt::format("no such file: {}", path.string()));
-  return path;
-}
-
 void read_where(const Value& given, Reference& reference) {
   const toml::table* table = given.table();
   if (!table) return;
@@ -22,40 +13,6 @@ void read_where(const Value& given, Reference& reference) {
     const Value label(node, given.below(axis), given.reading());
     reference.where[axis] = label.is_text() ? *label.text() : label.toml();  // 0.1 is the label "0.1"
   }
-}
-
-void read_value(const Value& given, Reference& reference) {
-  reference.known = given.number().value_or(0);
-}
-
-void read_scale(const Value& given, Reference& reference) {
-  reference.scale = given.number();
-  if (reference.scale && !(*reference.scale > 0)) given.refuse("a number above 0");
-}
-
-bool has_value(const Reference& reference) {
-  return std::holds_alternative<double>(reference.known);
-}
-
-void read_finest(const Value& given, Reference& reference) {
-  const auto is_finest = given.boolean();
-  if (is_finest && !*is_finest) given.refuse("true");
-  reference.known = Finest{};
-}
-
-void read_curve(const Value& given, Reference& reference) {
-  const auto name = given.text();
-  KnownCurve known;
-  if (name) known.file = beside_study(given, *name);
-  reference.known = known;
-}
-
-bool has_curve(const Reference& reference) {
-  return std::holds_alternative<KnownCurve>(reference.known);
-}
-
-void read_column(const Value& given, Reference& reference) {
-  std::get<KnownCurve>(reference.known).column = given.text().value_or("");
 }
 
 /// Reads the samples of a curve.
@@ -96,8 +53,8 @@ void check_reference(const Value& given, Reference& reference) {
       std::get<double>(reference.known) == 0)
     reading.report_error(given.below("value"),
                          "0 given, must be a number other than 0, because errors are relative to it; or give scale");
-  const bool is_sound = found.size() == 1 && reading.sound(given.key());
-  if (is_sound && has_curve(reference)) load(given, std::get<KnownCurve>(reference.known));
+  auto* curve = std::get_if<KnownCurve>(&reference.known);
+  if (curve && found.size() == 1 && reading.sound(given.key())) load(given, *curve);
 }
 
 /// The short form of the points of an axis: the values of its key.
@@ -136,30 +93,46 @@ Fields<T> asked_fields() {
 }
 
 Fields<Reference> reference_fields() {
-  return joined<Reference>(
-      asked_fields<Reference>(),
-      {entry<Reference>("where", "", read_where), entry<Reference>("value", "a number", read_value),
-       entry<Reference>("scale", "a number above 0", read_scale).with({"value", "value", has_value}),
-       entry<Reference>("finest", "true", read_finest), entry<Reference>("curve", "a file", read_curve),
-       entry<Reference>("column", "the name of a column of the file", read_column)
-           .required()
-           .with({"curve", "curve", has_curve}),
-       word<Reference>("source", &Reference::source)});
+  using R = Reference;
+  const Condition<R> has_value{"value", "value", [](const R& r) { return std::holds_alternative<double>(r.known); }};
+  const Condition<R> has_curve{"curve", "curve",
+                               [](const R& r) { return std::holds_alternative<KnownCurve>(r.known); }};
+  const auto read_value = [](const Value& given, R& r) { r.known = given.number().value_or(0); };
+  const auto read_scale = [](const Value& given, R& r) {
+    r.scale = given.number();
+    if (r.scale && !(*r.scale > 0)) given.refuse("a number above 0");
+  };
+  const auto read_finest = [](const Value& given, R& r) {
+    if (!given.boolean().value_or(true)) given.refuse("true");
+    r.known = Finest{};
+  };
+  const auto read_curve = [](const Value& given, R& r) {
+    const auto name = given.text();
+    r.known = KnownCurve{name ? file_beside(given, *name) : "", ""};
+  };
+  const auto read_column = [](const Value& given, R& r) {
+    std::get<KnownCurve>(r.known).column = given.text().value_or("");
+  };
+  return joined<R>(asked_fields<R>(),
+                   {entry<R>("where", "", read_where), entry<R>("value", "a number", read_value),
+                    entry<R>("scale", "a number above 0", read_scale).with(has_value),
+                    entry<R>("finest", "true", read_finest), entry<R>("curve", "a file", read_curve),
+                    entry<R>("column", "the name of a column of the file", read_column).required().with(has_curve),
+                    word<R>("source", &R::source)});
 }
 
 }  // namespace
 
 Fields<Study> study_fields() {
-  return {word<Study>("title", &Study::title),
-          word<Study>("source", &Study::source),
-          case_file<Study>(),
-          settings<Study>(),
-          tables<Study, Axis>("axis", Layout::block, &Study::axes, axis_fields()),
-          number<Study>("repeats", "-", &Study::repeats, {1, 1000}, ""),
-          tables<Study, Study::Listed>("quantities", Layout::block, &Study::quantities,
-                                               asked_fields<Study::Listed>()),
-          tables<Study, Reference>("reference", Layout::block, &Study::references, reference_fields(),
-                                       check_reference)};
+  return {
+      word<Study>("title", &Study::title),
+      word<Study>("source", &Study::source),
+      case_file<Study>(),
+      settings<Study>(),
+      tables<Study, Axis>("axis", Layout::block, &Study::axes, axis_fields()),
+      number<Study>("repeats", "-", &Study::repeats, {1, 1000}, ""),
+      tables<Study, Study::Listed>("quantities", Layout::block, &Study::quantities, asked_fields<Study::Listed>()),
+      tables<Study, Reference>("reference", Layout::block, &Study::references, reference_fields(), check_reference)};
 }
 
 }  // namespace cases
