@@ -23,14 +23,8 @@ Field<Growth> no_fail() {
   return value<Growth>(
       {"no_fail", "length", form, "", "rectangles in which tips stay where they are, and bonds hold"},
       [form](const Value& given, Growth& growth) {
-        for (const auto& box : given.elements(form)) {
-          const auto sides = box.numbers(4, "[xmin, ymin, xmax, ymax]");
-          if (!sides) continue;
-          if (!((*sides)[0] < (*sides)[2] && (*sides)[1] < (*sides)[3]))
-            box.refuse("[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
-          else
-            growth.no_fail.push_back({(*sides)[0], (*sides)[1], (*sides)[2], (*sides)[3]});
-        }
+        for (const auto& box : given.elements(form))
+          if (const auto sides = box_of(box)) growth.no_fail.push_back(*sides);
       },
       [](const Growth& growth) {
         std::vector<std::string> boxes;

@@ -49,6 +49,15 @@ std::string text_of_numbers(std::span<const double> numbers) {
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
+std::optional<std::array<double, 4>> box_of(const Value& given) {
+  const auto x = given.numbers(4, "[xmin, ymin, xmax, ymax]");
+  if (!x) return std::nullopt;
+  const std::array box{(*x)[0], (*x)[1], (*x)[2], (*x)[3]};
+  if (box[0] < box[2] && box[1] < box[3]) return box;
+  given.refuse("[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
+  return std::nullopt;
+}
+
 bool bare(const std::string& name) {
   return !name.empty() &&
          std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });

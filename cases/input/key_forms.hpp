@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <functional>
@@ -232,6 +233,9 @@ bool bare(const std::string& name);
 
 /// "[1, 2, 3]"
 std::string text_of_numbers(std::span<const double> numbers);
+
+/// [xmin, ymin, xmax, ymax], where xmin < xmax and ymin < ymax.
+std::optional<std::array<double, 4>> box_of(const Value& given);
 
 /// The values of a list of words without repetition.
 template <class V>

@@ -22,11 +22,7 @@ std::optional<std::pair<Point, Point>> corners(const Outline& outline) {
 }
 
 void read_rectangle(const Value& given, Outline& outline) {
-  const auto x = given.numbers(4, "[xmin, ymin, xmax, ymax]");
-  if (!x) return;
-  if (!((*x)[0] < (*x)[2] && (*x)[1] < (*x)[3]))
-    return given.refuse("[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
-  outline.outer = geometry::rectangle((*x)[0], (*x)[1], (*x)[2], (*x)[3]).outer;
+  if (const auto x = box_of(given)) outline.outer = geometry::rectangle((*x)[0], (*x)[1], (*x)[2], (*x)[3]).outer;
 }
 
 std::string rectangle_text(const Outline& outline) {
