@@ -35,12 +35,6 @@ bool finds(RunCheckpoints* checkpoints, const RecordingOptions& options) {
   return found;
 }
 
-/// Identifies the runs that may continue from a checkpoint: the same case by the same build of the program.
-std::string run_of(const RecordingOptions& options) {
-  return fmt::format("case {}, program {} of {}, {}", post::digest(options.resolved), options.version, plate::build(),
-                     options.communicator->distributed() ? "several processes" : "one process");
-}
-
 /// Removes what an earlier run wrote, unless this one goes on from it.
 void clear(const RecordingOptions& options, bool goes_on) {
   const auto& folder = options.folder;
@@ -52,7 +46,11 @@ void clear(const RecordingOptions& options, bool goes_on) {
 
 std::unique_ptr<RunCheckpoints> checkpoints_of(const RecordingOptions& options) {
   if (options.checkpoint_every <= 0) return nullptr;
-  return std::make_unique<RunCheckpoints>(post::Checkpoints(*options.communicator, options.folder, run_of(options)),
+  // of the runs that may continue from one: the same case by the same build of the program
+  const auto run =
+      fmt::format("case {}, program {} of {}, {}", post::digest(options.resolved), options.version, plate::build(),
+                  options.communicator->distributed() ? "several processes" : "one process");
+  return std::make_unique<RunCheckpoints>(post::Checkpoints(*options.communicator, options.folder, run),
                                           options.checkpoint_every);
 }
 
