@@ -22,10 +22,6 @@ void Reading::note(const std::string& key, std::size_t line) {
   if (line > 0) found_.places.emplace_back(key, fmt::format("{}:{}", file, line));
 }
 
-void Reading::report_error(const std::string& key, const std::string& what) {
-  problems_.push_back({found_.place(key), key, what});
-}
-
 std::vector<Problem> Reading::problems() const {
   const std::string file = found_.places.front().second + ":";
   const auto line = [&](const Problem& problem) {
@@ -51,10 +47,6 @@ bool Reading::sound(const std::string& key) const {
 Value::Value(const toml::node& node, std::string key, Reading& reading)
     : node_(&node), key_(std::move(key)), reading_(&reading) {
   if (!key_.empty()) reading.note(key_, node.source().begin.line);
-}
-
-void Value::refuse(const std::string& must_be) const {
-  report_error(shown() + " given, must be " + must_be);
 }
 
 std::string Value::toml() const {

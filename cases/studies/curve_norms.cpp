@@ -110,10 +110,6 @@ std::optional<double> shift(const post::Curve& computed, const post::Curve& refe
 
 }  // namespace
 
-std::optional<double> Comparison::relative_shift() const {
-  return shift ? std::optional(*shift / (to - from)) : std::nullopt;
-}
-
 std::variant<Comparison, std::string> compare(const std::vector<double>& t, const std::vector<double>& y,
                                               const std::vector<double>& reference_t,
                                               const std::vector<double>& reference_y) {

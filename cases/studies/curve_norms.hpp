@@ -27,7 +27,7 @@ struct Comparison {
   std::optional<double> shift;  // by which the computed curve comes late [time]; none where one of them is constant
 
   /// `shift` over the common range.
-  std::optional<double> relative_shift() const;
+  std::optional<double> relative_shift() const { return shift ? std::optional(*shift / (to - from)) : std::nullopt; }
 };
 
 /// Compares y(t) with reference_y(reference_t). The shift is that by which the two correlate best, at most a quarter of

@@ -110,12 +110,6 @@ Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& sec
   return cost;
 }
 
-Ledger::Ledger(const std::filesystem::path& study) : folder_(study / ".runs") {}  // plain_name: no run is called so
-
-std::filesystem::path Ledger::file_of(const std::string& run) const {
-  return folder_ / (run + ".csv");
-}
-
 std::optional<RunRecord> Ledger::known(const std::string& run) const {
   try {
     if (!std::filesystem::exists(file_of(run)) || !whole(post::read_text(file_of(run)))) return std::nullopt;
@@ -138,10 +132,6 @@ void Ledger::put(const RunRecord& record) const {
   std::filesystem::create_directories(folder_);
   const auto text = post::csv_text({columns(), {row_of(record)}});
   post::write_atomically(file_of(record.run), text + std::string(mark) + post::digest(text) + "\n");
-}
-
-void Ledger::forget(const std::string& run) const {
-  std::filesystem::remove(file_of(run));
 }
 
 bool same_program(const RunRecord& record, const RunRecord& wanted) {

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "fracture/breakage/broken_bonds.hpp"
 #include "plate/bonds/results.hpp"
@@ -292,14 +291,6 @@ void DamagedPlate::internal_force(const plate::State& state, plate::Forces& forc
 std::shared_ptr<const plate::TipView> DamagedPlate::tip_view() const {
   return std::make_shared<plate::BondView>(boundary_.cloud, families_, base_.shapes(), rule_.section(),
                                            rule_.discretization());
-}
-
-void DamagedPlate::absolute_product(const plate::State& state, plate::Forces& forces) const {
-  base_.absolute_product(state, forces);
-}
-
-plate::Forces DamagedPlate::diagonal() const {
-  return base_.diagonal();
 }
 
 plate::Mesh DamagedPlate::draw(post::Frame& frame, const plate::State& state, const plate::Formulation& start,

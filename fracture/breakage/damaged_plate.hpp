@@ -51,8 +51,10 @@ public:
   void internal_force(const plate::State& state, plate::Forces& forces) const override;
   /// Absolute product and diagonal of the undamaged plate: time steps are found before any bond is broken (and kept at
   /// 0.9 of the limit).
-  void absolute_product(const plate::State& state, plate::Forces& forces) const override;
-  plate::Forces diagonal() const override;
+  void absolute_product(const plate::State& state, plate::Forces& forces) const override {
+    base_.absolute_product(state, forces);
+  }
+  plate::Forces diagonal() const override { return base_.diagonal(); }
 
   /// Constraints of the boundary; where the plate is distributed, they fetch the values of all points that this rank
   /// knows.

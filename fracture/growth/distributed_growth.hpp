@@ -26,7 +26,7 @@ public:
 
   std::uint32_t of(std::uint32_t k) const;
   /// Local index of the point; nothing where this rank does not know it.
-  std::optional<std::uint32_t> point(std::uint32_t number) const;
+  std::optional<std::uint32_t> point(std::uint32_t number) const { return index_ ? index_->at(place(number)) : number; }
   /// [lattice units]
   geometry::Point place(std::uint32_t number) const;
 
