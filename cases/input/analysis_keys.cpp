@@ -109,6 +109,66 @@ Field<Analysis> time_step() {
       [](const Analysis& analysis) { return analysis.time_step ? number_text(*analysis.time_step) : quoted("auto"); });
 }
 
+/// Two numbers that become mass and stiffness, and are not written again.
+Field<plate::Damping> pair(const std::string& name, const std::string& unit, const std::string& help) {
+  return value<plate::Damping>(
+      {name, unit, "[a, b], both > 0", "", help},
+      [](const Value& given, plate::Damping&) {
+        const auto both = given.numbers(2, "[a, b], both > 0");
+        if (both && !((*both)[0] > 0 && (*both)[1] > 0)) given.refuse("[a, b], both > 0");
+      },
+      [](const plate::Damping&) { return ""; });
+}
+
+Fields<plate::Sweep> sweep_fields() {
+  using S = plate::Sweep;
+  return {number<S>("from", "1/time", &S::from, positive, "the lowest frequency of the loads")
+              .required({Analysis::Kind::harmonic}),
+          number<S>("to", "1/time", &S::to, positive, "the highest").required({Analysis::Kind::harmonic}),
+          number<S>("count", "-", &S::count, {2, 100000},
+                    "how many, equally far from each other; resonances between them come beside")};
+}
+
+void check_sweep(const Value& given, plate::Sweep& sweep) {
+  if (given.reading().sound(given.key()) && !(sweep.to > sweep.from)) given.report_error("'to' must be above 'from'");
+}
+
+Fields<plate::Damping> damping_fields() {
+  using D = plate::Damping;
+  return {number<D>("mass", "1/time", &D::mass, {0}, "alpha of C = alpha M + beta K"),
+          number<D>("stiffness", "time", &D::stiffness, {0}, "beta of C = alpha M + beta K"),
+          pair("ratio", "-", "of the critical damping at the two frequencies, instead of mass and stiffness"),
+          pair("frequencies", "1/time", "where the plate has these ratios")};
+}
+
+void check_damping(const Value& given, plate::Damping& damping) {
+  auto& reading = given.reading();
+  const auto has = [&](const char* name) { return reading.given(given.below(name)); };
+  const auto two = [&](const char* name) -> std::array<double, 2> {
+    const auto both = Value(*given.table()->get(name), given.below(name), reading).numbers(2, "[a, b]");
+    return {both->at(0), both->at(1)};
+  };
+  if (has("ratio") != has("frequencies"))
+    return given.report_error("'ratio' and 'frequencies' belong together: give both, or mass and stiffness");
+  if (!has("ratio")) {
+    if (damping.none() && reading.sound(given.key()))
+      given.report_error("damps nothing: give mass and stiffness, or ratio and frequencies");
+    return;
+  }
+  if (has("mass") || has("stiffness"))
+    return given.report_error(
+        "'mass' and 'stiffness' follow from 'ratio' and 'frequencies': give one pair or the other");
+  if (!reading.sound(given.key())) return;
+  const auto frequencies = two("frequencies");
+  if (!(frequencies[0] < frequencies[1])) return given.report_error("the second frequency must be above the first");
+  damping = plate::damping_of(two("ratio"), frequencies);
+  if (damping.mass < 0 || damping.stiffness < 0)
+    given.report_error(
+        fmt::format("no plate has such ratios: mass = {:.4g} and stiffness = {:.4g} would be needed, and none "
+                    "may be negative; bring the ratios nearer to each other",
+                    damping.mass, damping.stiffness));
+}
+
 }  // namespace
 
 const Words<Analysis::Kind>& analysis_kinds() {
@@ -226,17 +286,6 @@ Field<plate::Initial> anywhere(const std::string& name, const std::string& unit,
       });
 }
 
-/// Two numbers that become mass and stiffness, and are not written again.
-Field<plate::Damping> pair(const std::string& name, const std::string& unit, const std::string& help) {
-  return value<plate::Damping>(
-      {name, unit, "[a, b], both > 0", "", help},
-      [](const Value& given, plate::Damping&) {
-        const auto both = given.numbers(2, "[a, b], both > 0");
-        if (both && !((*both)[0] > 0 && (*both)[1] > 0)) given.refuse("[a, b], both > 0");
-      },
-      [](const plate::Damping&) { return ""; });
-}
-
 }  // namespace
 
 Fields<plate::Initial> initial_fields() {
@@ -258,55 +307,6 @@ Fields<plate::Impact> impact_fields() {
           number<I>("stiffness", "force/length", &I::stiffness, positive,
                     "of the contact: a spring that does not pull, so that the mass may lift off")
               .required({Analysis::Kind::dynamic})};
-}
-
-Fields<plate::Sweep> sweep_fields() {
-  using S = plate::Sweep;
-  return {number<S>("from", "1/time", &S::from, positive, "the lowest frequency of the loads")
-              .required({Analysis::Kind::harmonic}),
-          number<S>("to", "1/time", &S::to, positive, "the highest").required({Analysis::Kind::harmonic}),
-          number<S>("count", "-", &S::count, {2, 100000},
-                    "how many, equally far from each other; resonances between them come beside")};
-}
-
-void check_sweep(const Value& given, plate::Sweep& sweep) {
-  if (given.reading().sound(given.key()) && !(sweep.to > sweep.from)) given.report_error("'to' must be above 'from'");
-}
-
-Fields<plate::Damping> damping_fields() {
-  using D = plate::Damping;
-  return {number<D>("mass", "1/time", &D::mass, {0}, "alpha of C = alpha M + beta K"),
-          number<D>("stiffness", "time", &D::stiffness, {0}, "beta of C = alpha M + beta K"),
-          pair("ratio", "-", "of the critical damping at the two frequencies, instead of mass and stiffness"),
-          pair("frequencies", "1/time", "where the plate has these ratios")};
-}
-
-void check_damping(const Value& given, plate::Damping& damping) {
-  auto& reading = given.reading();
-  const auto has = [&](const char* name) { return reading.given(given.below(name)); };
-  const auto two = [&](const char* name) -> std::array<double, 2> {
-    const auto both = Value(*given.table()->get(name), given.below(name), reading).numbers(2, "[a, b]");
-    return {both->at(0), both->at(1)};
-  };
-  if (has("ratio") != has("frequencies"))
-    return given.report_error("'ratio' and 'frequencies' belong together: give both, or mass and stiffness");
-  if (!has("ratio")) {
-    if (damping.none() && reading.sound(given.key()))
-      given.report_error("damps nothing: give mass and stiffness, or ratio and frequencies");
-    return;
-  }
-  if (has("mass") || has("stiffness"))
-    return given.report_error(
-        "'mass' and 'stiffness' follow from 'ratio' and 'frequencies': give one pair or the other");
-  if (!reading.sound(given.key())) return;
-  const auto frequencies = two("frequencies");
-  if (!(frequencies[0] < frequencies[1])) return given.report_error("the second frequency must be above the first");
-  damping = plate::damping_of(two("ratio"), frequencies);
-  if (damping.mass < 0 || damping.stiffness < 0)
-    given.report_error(
-        fmt::format("no plate has such ratios: mass = {:.4g} and stiffness = {:.4g} would be needed, and none "
-                    "may be negative; bring the ratios nearer to each other",
-                    damping.mass, damping.stiffness));
 }
 
 }  // namespace cases

@@ -8,7 +8,6 @@ struct Growth;
 
 namespace plate {
 struct Combination;
-struct Damping;
 struct Discretization;
 class Formula;
 struct Foundation;
@@ -20,7 +19,6 @@ struct Problem;
 struct Section;
 struct Spring;
 struct Stiffener;
-struct Sweep;
 struct Support;
 }  // namespace plate
 
@@ -50,10 +48,6 @@ Fields<plate::Spring> spring_fields();
 Fields<plate::Stiffener> stiffener_fields();
 Fields<plate::Initial> initial_fields();
 Fields<plate::Impact> impact_fields();
-Fields<plate::Sweep> sweep_fields();
-void check_sweep(const Value& given, plate::Sweep& content);
-Fields<plate::Damping> damping_fields();
-void check_damping(const Value& damping, plate::Damping& content);
 Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();
