@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 
 #include "cases/driver/case_plan.hpp"
 #include "cases/driver/prepared.hpp"
 #include "cases/driver/run.hpp"
-#include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
 #include "cases/runs/distributed_run.hpp"
 #include "plate/formulation/discretised.hpp"

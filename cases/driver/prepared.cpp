@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "cases/driver/case_plan.hpp"
-#include "cases/input/case_file.hpp"
 #include "cases/runs/bonds_error.hpp"
 #include "cases/runs/distributed_run.hpp"
 #include "fracture/growth/growth.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "cases/runs/distributed_run.hpp"
 #include "cases/runs/outputs.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -20,7 +19,6 @@
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
-#include "post/files/factor_rows.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/conclusion.hpp"
 #include "post/report/overlaps.hpp"

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <optional>
-#include <stdexcept>
 
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "cases/runs/bonds_error.hpp"
-#include "cases/runs/distributed_run.hpp"
 #include "cases/runs/checkpoints.hpp"
-#include "cases/runs/results.hpp"
 #include "fracture/growth/moving_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"

@@ -9,7 +9,6 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 
 #include "plate/model/wording.hpp"

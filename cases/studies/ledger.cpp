@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <string_view>
 
 #include "post/files/atomic_file.hpp"
 #include "post/files/run_folder.hpp"

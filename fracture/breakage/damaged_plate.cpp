@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/breakage/broken_bonds.hpp"
 #include "plate/bonds/results.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/tip_view.hpp"
