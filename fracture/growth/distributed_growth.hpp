@@ -1,10 +1,10 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
-#include "post/factors/srif.hpp"
 
 namespace plate {
 class Formulation;
@@ -13,7 +13,8 @@ struct Surroundings;
 
 namespace post {
 struct Peak;
-}
+struct Srif;
+}  // namespace post
 
 namespace fracture {
 
