@@ -1,12 +1,9 @@
-#include "fracture/breakage/broken_bonds.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "fracture/breakage/damaged_plate.hpp"
 #include "geometry/lattice/cloud.hpp"
-#include "plate/bonds/family_operator.hpp"
-#include "plate/formulation/boundary.hpp"
 #include "plate/model/reduction.hpp"
 
 namespace fracture {
