@@ -94,7 +94,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::string_literals;
 
-/// Outcome of such a case.
+/// Outcome of a row.
 struct ExtremeRun {
   fs::path folder;
   std::optional<post::Summary> summary;  // of a run that ended well
@@ -233,7 +233,8 @@ post::Table table(const std::vector<Verdict>& verdicts) {
       {"group", "row", "oracle", "computed", "expected", "deviation", "allowed", "holds", "seconds", "message"}, {}};
   for (const auto& v : verdicts)
     result.rows.push_back({v.group, v.row, v.oracle, v.computed, v.expected, post::cell(v.deviation),
-                           post::cell(v.allowed), std::string(v.holds ? "yes" : "no"), v.seconds, post::one_line(v.message)});
+                           post::cell(v.allowed), std::string(v.holds ? "yes" : "no"), v.seconds,
+                           post::one_line(v.message)});
   return result;
 }
 

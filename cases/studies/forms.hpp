@@ -10,7 +10,7 @@ struct Setting {
   std::string text, place;
 };
 
-/// The fields of both.
+/// Fields of one list and of another.
 template <class T>
 Fields<T> joined(Fields<T> fields, const Fields<T>& more) {
   fields.insert(fields.end(), more.begin(), more.end());
