@@ -55,9 +55,6 @@ struct Study {
   std::vector<std::string> axis_names() const;
 };
 
-/// The keys of a study file; nothing is written from them.
-Fields<Study> study_fields();
-
 /// Reason why a run has no such quantity; empty where it has.
 std::string lacking(const RunPlan& plan, const post::Quantity& quantity);
 
