@@ -537,4 +537,49 @@ Fields<plate::Combination> combination_fields() {
   };
 }
 
+namespace {
+
+/// A number, or an expression in x and y.
+Field<plate::Initial> anywhere(const std::string& name, const std::string& unit, plate::Formula plate::Initial::*member,
+                               const std::string& help) {
+  return value<plate::Initial>(
+      {name, unit, "a number or an expression in x, y and pi", "", help},
+      [member](const Value& given, plate::Initial& initial) {
+        const auto text = given.is_text() ? given.text() : std::nullopt;
+        const auto number = text ? std::nullopt : given.number();
+        if (!text && !number) return;
+        auto found = plate::Formula::parsed(text ? *text : number_text(*number));
+        if (const auto* error = std::get_if<std::string>(&found))
+          given.report_error(*error);
+        else
+          initial.*member = std::get<plate::Formula>(std::move(found));
+      },
+      [member](const plate::Initial& initial) {
+        return (initial.*member).given() ? quoted((initial.*member).text()) : "";
+      });
+}
+
+}  // namespace
+
+Fields<plate::Initial> initial_fields() {
+  using I = plate::Initial;
+  return {anywhere("deflection", "length", &I::deflection, "w at time 0, as \"0.01 * sin(pi * x) * sin(pi * y)\""),
+          anywhere("velocity", "length/time", &I::velocity, "velocity along w at time 0")};
+}
+
+Fields<plate::Impact> impact_fields() {
+  using I = plate::Impact;
+  return {value<I>(
+              {"position", "length", "[x, y] inside the plate", "", "where the mass meets the plate"},
+              [](const Value& given, I& impact) { impact.position = given.point().value_or(impact.position); },
+              [](const I& impact) { return text_of(impact.position); })
+              .required({Analysis::Kind::dynamic}),
+          number<I>("mass", "mass", &I::mass, positive, "of what hits the plate").required({Analysis::Kind::dynamic}),
+          number<I>("velocity", "length/time", &I::velocity, finite, "along w, as it meets the plate at time 0")
+              .required({Analysis::Kind::dynamic}),
+          number<I>("stiffness", "force/length", &I::stiffness, positive,
+                    "of the contact: a spring that does not pull, so that the mass may lift off")
+              .required({Analysis::Kind::dynamic})};
+}
+
 }  // namespace cases
