@@ -11,6 +11,15 @@
 #include "post/files/atomic_file.hpp"
 
 namespace cases {
+namespace {
+
+/// True where the key lies at or below another one.
+bool at_or_below(const std::string& key, const std::string& parent) {
+  if (!key.starts_with(parent)) return false;
+  return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
+}
+
+}  // namespace
 
 void Reading::note(const std::string& key, std::size_t line) {
   const std::string& file = found_.places.front().second;
@@ -139,11 +148,6 @@ std::vector<Value> Value::elements(const std::string& form) const {
   for (std::size_t i = 0; array && i < array->size(); ++i)
     values.emplace_back((*array)[i], fmt::format("{}[{}]", key_, i), *reading_);
   return values;
-}
-
-bool at_or_below(const std::string& key, const std::string& parent) {
-  if (!key.starts_with(parent)) return false;
-  return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
 }
 
 namespace {

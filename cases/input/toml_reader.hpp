@@ -85,9 +85,6 @@ private:
 /// key cannot be reached.
 void apply_override(toml::table& root, const std::string& setting, Reading& reading);
 
-/// True where the key lies at or below another one.
-bool at_or_below(const std::string& key, const std::string& parent);
-
 using plate::did_you_mean;
 using plate::listed;
 using plate::number_text;
