@@ -147,11 +147,6 @@ std::variant<Comparison, std::string> compare(const std::vector<double>& t, cons
   return result;
 }
 
-const std::vector<std::string>& measure_names() {
-  static const std::vector<std::string> names{"l2", "max", "peak", "peak_time", "shift"};
-  return names;
-}
-
 std::vector<std::pair<std::string, double>> measures(const Comparison& comparison) {
   std::vector<std::pair<std::string, double>> result{{"l2", comparison.relative_l2},
                                                      {"max", comparison.relative_max},

@@ -38,9 +38,6 @@ std::variant<Comparison, std::string> compare(const std::vector<double>& t, cons
                                               const std::vector<double>& reference_t,
                                               const std::vector<double>& reference_y);
 
-/// The names of `measures`.
-const std::vector<std::string>& measure_names();
-
 /// The relative numbers of a comparison that a script may hold against a tolerance, by name: l2, max, peak, peak_time,
 /// shift; without sign. A shift that is not known is left out.
 std::vector<std::pair<std::string, double>> measures(const Comparison& comparison);
