@@ -16,7 +16,6 @@
 #include "post/factors/watched_motion.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/files/results_in_memory.hpp"
-#include "post/report/accuracy_search.hpp"
 #include "post/report/reactions.hpp"
 #include "post/report/terminal.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 
 #include "cases/driver/prepared.hpp"
@@ -185,7 +184,7 @@ std::string cost(const CaseFile& file, int processes) {
                "memory, {:.3g} GB, at most; the first points of the search have\n",
                c.srif->accuracy_seconds, plate::free_memory() / 2 / giga) +
            of_plate(file);
-  if (processes == 0) require_memory(file);
+  if (processes == 0) unless_refused(file, [&] { plate::require_memory(c); });
   const double spacing = c.discretization.spacing;
   const bool made = geometry::area(c.outline) < soon_made * spacing * spacing;
   text += of_run(file, processes);

@@ -64,37 +64,26 @@ double number_in(const char* file, const post::Table& table, const std::vector<p
   return *number;
 }
 
-/// The load factors of growth.csv and their estimated errors, relative, by advance.
-class LoadFactors {
-public:
-  explicit LoadFactors(const post::Table& growth) {
-    const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
-    for (const auto& row : growth.rows) {
-      if (!std::holds_alternative<double>(row[growth.column("load_factor")])) continue;  // one may have none
-      const double advance = number_in("growth.csv", growth, row, "advance");
-      values_[advance] = number_in("growth.csv", growth, row, "load_factor");
-      if (!has_errors) continue;
-      if (const auto* error = std::get_if<double>(&row[growth.column("critical_load_factor_error")]))
-        errors_[advance] = *error;
-    }
-  }
-
-  /// @throws std::runtime_error  where an advance has none that is positive
-  double operator()(double advance) const {
-    const auto found = values_.find(advance);
-    if (found == values_.end() || !(found->second > 0))
-      throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
-    return found->second;
-  }
-  /// Estimated error of the value at an advance; absent where it is not known.
-  std::optional<double> error(double advance) const {
-    const auto found = errors_.find(advance);
-    return found == errors_.end() ? std::nullopt : std::optional(found->second);
-  }
-
-private:
-  std::map<double, double> values_, errors_;
+/// A load factor of growth.csv and its estimated error, relative; absent where it is not known.
+struct LoadFactor {
+  double value = 0;
+  std::optional<double> error = {};
 };
+
+/// Load factors by advance.
+std::map<double, LoadFactor> load_factors_of(const post::Table& growth) {
+  const bool has_errors = std::ranges::count(growth.columns, "critical_load_factor_error") > 0;
+  std::map<double, LoadFactor> result;
+  for (const auto& row : growth.rows) {
+    if (!std::holds_alternative<double>(row[growth.column("load_factor")])) continue;  // one may have none
+    auto& factor = result[number_in("growth.csv", growth, row, "advance")];
+    factor.value = number_in("growth.csv", growth, row, "load_factor");
+    if (!has_errors) continue;
+    if (const auto* error = std::get_if<double>(&row[growth.column("critical_load_factor_error")]))
+      factor.error = *error;
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -103,7 +92,7 @@ post::Table fatigue(const post::Table& growth, const post::Table& tip_table, con
   const auto value = [&](const std::vector<post::Cell>& row, const char* name) {
     return number_in("tips.csv", tip_table, row, name);
   };
-  const LoadFactors load_factors(growth);
+  const auto load_factors = load_factors_of(growth);
   struct TipHistory {
     std::vector<double> lengths, ranges, errors;  // the last: absolute, of the ranges
     double crack = 0;                             // length of the whole crack at the last row
@@ -124,10 +113,13 @@ post::Table fatigue(const post::Table& growth, const post::Table& tip_table, con
     history.own_share = value(row, "moves") > 0 ? 1 / double(tips(advance, crack, "moves")) : 0;
     if (!history.lengths.empty() && own <= history.lengths.back()) continue;  // this tip has not moved
     const double G = std::max(value(row, "G"), 0.0);
-    const double full = std::sqrt(3 * section.young * G / section.thickness) / load_factors(advance);
+    const auto factor = load_factors.find(advance);
+    if (factor == load_factors.end() || !(factor->second.value > 0))
+      throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
+    const double full = std::sqrt(3 * section.young * G / section.thickness) / factor->second.value;
     history.lengths.push_back(own);
     history.ranges.push_back((1 - ratio) * load * full);
-    if (const auto error = load_factors.error(advance)) history.errors.push_back(*error * history.ranges.back());
+    if (const auto error = factor->second.error) history.errors.push_back(*error * history.ranges.back());
   }
   post::Table result{{"tip", "length", "K_range", "cycles", "K_range_error", "cycles_least", "cycles_most"}, {}};
   for (const auto& [tip, history] : histories) {

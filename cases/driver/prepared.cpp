@@ -33,10 +33,6 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
 
 }  // namespace
 
-void require_memory(const CaseFile& file) {
-  unless_refused(file, [&] { plate::require_memory(file.content); });
-}
-
 void require_distributable(const CaseFile& file, const std::vector<NotDistributable>& not_distributable) {
   std::vector<Problem> problems;
   for (const auto& [key, why] : not_distributable) problems.push_back({file.place(key), key, why});

@@ -13,9 +13,6 @@ struct NotDistributable;
 /// modes than frequencies are asked for.
 plate::Discretised discretised(const CaseFile& file, const plate::Communicator& communicator = plate::single_process());
 
-/// Throws CaseError where the machine has not even the memory for the points of a case.
-void require_memory(const CaseFile& file);
-
 /// Throws CaseError where there is anything that processes cannot share.
 void require_distributable(const CaseFile& file, const std::vector<NotDistributable>& not_distributable);
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <optional>
-#include <stdexcept>
 
 #include "cases/input/case_file.hpp"
 #include "plate/model/process.hpp"
@@ -36,12 +34,6 @@ bool finds(RunCheckpoints* checkpoints, const RunOptions& options) {
   return found;
 }
 
-/// Identifies the runs that may continue from a checkpoint: the same case by the same build of the program.
-std::string identity_of(const std::string& resolved, const plate::Communicator& all) {
-  return fmt::format("case {}, program {} of {}, {}", post::digest(resolved), PDPLATE_VERSION, plate::build(),
-                     all.distributed() ? "several processes" : "one process");
-}
-
 /// Removes what an earlier run wrote, unless this one goes on from it.
 void clear(const RunOptions& options, const std::string& resolved, bool goes_on) {
   const auto& folder = options.folder;
@@ -55,8 +47,10 @@ std::unique_ptr<RunCheckpoints> checkpoints_of(const RunPlan& plan, const std::s
   const double every = plan.content.output.checkpoint_every;
   if (every <= 0) return nullptr;
   const auto& all = *plan.options.communicator;
-  return std::make_unique<RunCheckpoints>(post::Checkpoints(all, plan.options.folder, identity_of(resolved, all)),
-                                          every);
+  // of the runs that may continue from one: the same case by the same build of the program
+  const auto run = fmt::format("case {}, program {} of {}, {}", post::digest(resolved), PDPLATE_VERSION, plate::build(),
+                               all.distributed() ? "several processes" : "one process");
+  return std::make_unique<RunCheckpoints>(post::Checkpoints(all, plan.options.folder, run), every);
 }
 
 }  // namespace

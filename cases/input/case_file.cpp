@@ -1,7 +1,6 @@
 #include "cases/input/case_file.hpp"
 
 #include <fmt/format.h>
-#include <map>
 
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"

@@ -23,22 +23,12 @@ Field<Growth> no_fail() {
   return value<Growth>(
       {"no_fail", "length", form, "", "rectangles in which tips stay where they are, and bonds hold"},
       [form](const Value& given, Growth& growth) {
-        const auto boxes = given.elements(form);
-        if (!boxes) return;
-        for (const auto& box : *boxes) {
-          const auto sides = box.numbers(4, "[xmin, ymin, xmax, ymax]");
-          if (!sides) continue;
-          if (!((*sides)[0] < (*sides)[2] && (*sides)[1] < (*sides)[3]))
-            box.refuse("[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
-          else
-            growth.no_fail.push_back({(*sides)[0], (*sides)[1], (*sides)[2], (*sides)[3]});
-        }
+        for (const auto& box : given.elements(form))
+          if (const auto sides = box_of(box)) growth.no_fail.push_back(*sides);
       },
       [](const Growth& growth) {
         std::vector<std::string> boxes;
-        for (const auto& [a, b, c, d] : growth.no_fail)
-          boxes.push_back(
-              fmt::format("[{}, {}, {}, {}]", number_text(a), number_text(b), number_text(c), number_text(d)));
+        for (const auto& box : growth.no_fail) boxes.push_back(text_of_numbers(box));
         return boxes.empty() ? "" : fmt::format("[{}]", fmt::join(boxes, ", "));
       });
 }
@@ -97,13 +87,8 @@ Fields<Growth> growth_fields() {
                 "the growth ends after so many (bonds in motion: steps in which any broke)"),
       number<G>("max_length", "length", &G::max_length, positive,
                 "the growth ends when a crack is so long (bonds: all together)"),
-      value<G>(
-          {"tension_only", "-", "true or false", "false",
-           "tips that close on the z > 0 face (K1 < 0) stay, bonds that do so hold"},
-          [](const Value& given, G& growth) {
-            if (const auto wanted = given.boolean()) growth.tension_only = *wanted;
-          },
-          [](const G& growth) { return std::string(growth.tension_only ? "true" : "false"); }),
+      boolean<G>("tension_only", &G::tension_only,
+                 "tips that close on the z > 0 face (K1 < 0) stay, bonds that do so hold"),
       no_fail(),
       number<G>("frames_every", "-", &G::frames_every, {1, 1000000},
                 "advances between frames for ParaView; the first and the last state are always written")

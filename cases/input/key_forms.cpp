@@ -43,18 +43,19 @@ void report_unknown_keys(const Value& table, const std::vector<std::string>& nam
   }
 }
 
-std::vector<std::string> chosen(const Value& given, const Words<int>& words) {
-  std::vector<std::string> result;
-  const auto names = given.texts();
-  if (!names) return result;
-  for (const auto& name : *names) {
-    if (!words.find(given, name)) continue;
-    if (std::find(result.begin(), result.end(), name) == result.end())
-      result.push_back(name);
-    else
-      given.report_error(fmt::format("\"{}\" is named twice", name));
-  }
-  return result;
+std::string text_of_numbers(std::span<const double> numbers) {
+  std::vector<std::string> texts;
+  for (const double number : numbers) texts.push_back(number_text(number));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::optional<std::array<double, 4>> box_of(const Value& given) {
+  const auto x = given.numbers(4, "[xmin, ymin, xmax, ymax]");
+  if (!x) return std::nullopt;
+  const std::array box{(*x)[0], (*x)[1], (*x)[2], (*x)[3]};
+  if (box[0] < box[2] && box[1] < box[3]) return box;
+  given.refuse("[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
+  return std::nullopt;
 }
 
 bool bare(const std::string& name) {

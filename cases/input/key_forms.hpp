@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 
 #include "cases/input/manual.hpp"
 #include "cases/input/toml_reader.hpp"
@@ -146,10 +148,8 @@ std::string write_fields(const Fields<T>& fields, const T& object, Analysis::Kin
   return fmt::format("{}", fmt::join(texts, separator));
 }
 
-}  // namespace cases
-
-/// The forms that a field can have: number, choice of words, table, list of tables, or a value read in its own way.
-namespace cases {
+// The forms that a field can have: number, boolean, choice of words, table, list of tables, or a value read in its own
+// way.
 
 /// A key with a value of its own way of reading and writing; `text` is the TOML of the value, empty where absent.
 template <class T>
@@ -187,6 +187,16 @@ Field<T> number(const std::string& name, const std::string& unit, Project projec
   return value<T>({name, unit, allowed, "", help}, read, text);
 }
 
+/// True or false.
+template <class T, class Project>
+Field<T> boolean(const std::string& name, Project project, const std::string& help) {
+  const auto read = [=](const Value& given, T& object) {
+    if (const auto wanted = given.boolean()) std::invoke(project, object) = *wanted;
+  };
+  const auto text = [=](const T& object) { return std::string(std::invoke(project, object) ? "true" : "false"); };
+  return value<T>({name, "-", "true or false", "", help}, read, text);
+}
+
 /// Field whose value is one of some words; `refused` are known words with the reason why they are not available.
 template <class V>
 struct Words {
@@ -221,8 +231,25 @@ struct Words {
 /// Letters, digits, _ and - only?
 bool bare(const std::string& name);
 
-/// A list of words without repetition.
-std::vector<std::string> chosen(const Value& given, const Words<int>& words);
+/// "[1, 2, 3]"
+std::string text_of_numbers(std::span<const double> numbers);
+
+/// [xmin, ymin, xmax, ymax], where xmin < xmax and ymin < ymax.
+std::optional<std::array<double, 4>> box_of(const Value& given);
+
+/// The values of a list of words without repetition.
+template <class V>
+std::vector<V> chosen(const Value& given, const Words<V>& words) {
+  std::vector<V> result;
+  for (const auto& name : given.texts().value_or(std::vector<std::string>())) {
+    const auto found = words.find(given, name);
+    if (found && std::ranges::find(result, *found) != result.end())
+      given.report_error(fmt::format("\"{}\" is named twice", name));
+    else if (found)
+      result.push_back(*found);
+  }
+  return result;
+}
 
 template <class T, class V, class Project>
 Field<T> choice(const std::string& name, Project project, Words<V> words, const std::string& help) {
@@ -293,9 +320,8 @@ Field<T> tables(const std::string& name, Layout layout, Project project, Fields<
                 std::function<void(const Value&, U&)> check = {}) {
   Field<T> field{name, rows_below(name + "[]", fields), {}, {}};
   field.read = [=](const Value& given, T& object) {
-    const auto elements = given.elements(layout == Layout::block ? "[[" + name + "]]" : name + " = [ { ... }, ... ]");
-    if (!elements) return;
-    for (const auto& element : *elements) {
+    const auto form = layout == Layout::block ? "[[" + name + "]]" : name + " = [ { ... }, ... ]";
+    for (const auto& element : given.elements(form)) {
       U& part = std::invoke(project, object).emplace_back();
       read_fields(fields, element, part);
       if (check && element.is_table()) check(element, part);

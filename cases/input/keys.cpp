@@ -137,17 +137,6 @@ void check_tips(const Case& content, Reading& reading) {
                          "there is no crack tip to find intensity factors at: remove [srif] or give geometry.cracks");
 }
 
-void check_load_cases(const Case& content, Reading& reading) {
-  for (const auto& [key, what] : errors_in_load_cases(content))
-    if (key == "combination" || reading.sound(key)) reading.report_error(key, what);
-}
-
-std::vector<KeyError> by_keys(const std::vector<plate::Refusal>& refusals, const Case& content) {
-  std::vector<KeyError> result;
-  for (const auto& refusal : refusals) result.push_back({key_of(refusal, content), refusal.what});
-  return result;
-}
-
 void check_beside_analysis(const Case& content, Reading& reading) {
   const auto given = [&](const std::string& key) { return reading.given(key); };
   // what is missing or cannot be read has another value here than the file means
@@ -160,7 +149,7 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   const auto& [analysis, growth, srif] = std::tie(content.analysis, content.growth, content.srif);
   if (growth && reading.sound("geometry")) report_error(errors_in_growth(content, analysis, *growth, srif, given));
   report_error(errors_in_accuracy(content, analysis, srif, content.formulation_reason));
-  report_error(by_keys(plate::errors_in_heat(content), content));
+  for (const auto& refusal : plate::errors_in_heat(content)) report_error({{key_of(refusal, content), refusal.what}});
   if (srif && reading.sound("section") && reading.sound("geometry")) report_error(errors_in_section(content));
   report_error(errors_in_motion(content, analysis, growth.has_value(), given));
   report_error(errors_in_response(content, analysis));
@@ -208,7 +197,8 @@ void check_case(const Case& content, Reading& reading) {
     reading.report_error("load", std::string("nothing loads the plate: give at least one [[load]]") +
                                      (reading.kind == Analysis::Kind::dynamic ? ", [initial] or [impact]" : ""));
   check_formulation(content, reading);
-  check_load_cases(content, reading);
+  for (const auto& [key, what] : errors_in_load_cases(content))
+    if (key == "combination" || reading.sound(key)) reading.report_error(key, what);
   if (!check_geometry(content, reading)) return;
   check_lengths(content, reading);
   check_edges(content, reading);

@@ -8,7 +8,6 @@ struct Growth;
 
 namespace plate {
 struct Combination;
-struct Damping;
 struct Discretization;
 class Formula;
 struct Foundation;
@@ -20,7 +19,6 @@ struct Problem;
 struct Section;
 struct Spring;
 struct Stiffener;
-struct Sweep;
 struct Support;
 }  // namespace plate
 
@@ -43,9 +41,6 @@ void check_hole(const Value& hole, geometry::Hole& content);
 Fields<plate::Discretization> discretization_fields();
 Fields<plate::Support> support_fields();
 Fields<plate::Load> load_fields();
-/// A file of pressures beside the case, and what it said when the case was resolved.
-Field<plate::Load> table_field();
-Field<plate::Load> table_digest_field();
 Fields<plate::LoadCase> load_case_fields();
 Fields<plate::Combination> combination_fields();
 Fields<plate::Foundation> foundation_fields();
@@ -53,10 +48,6 @@ Fields<plate::Spring> spring_fields();
 Fields<plate::Stiffener> stiffener_fields();
 Fields<plate::Initial> initial_fields();
 Fields<plate::Impact> impact_fields();
-Fields<plate::Sweep> sweep_fields();
-void check_sweep(const Value& given, plate::Sweep& content);
-Fields<plate::Damping> damping_fields();
-void check_damping(const Value& damping, plate::Damping& content);
 Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();

@@ -1,10 +1,84 @@
-#include "cases/input/load_keys.hpp"
+#include <functional>
+#include <unordered_set>
+#include <variant>
 
 #include "cases/input/keys.hpp"
 #include "plate/model/loads.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/supports.hpp"
+#include "post/files/atomic_file.hpp"
 
 namespace cases {
+namespace {
+
+/// A member of what acts of a load: `member` finds it where the load has it. For a load without it, it is `nothing`,
+/// and what is read goes nowhere: its kind is unknown.
+template <class U, class Member>
+class OfAction {
+public:
+  OfAction(U nothing, Member member) : nothing_(std::move(nothing)), member_(member) {}
+
+  U& operator()(plate::Load& load) const { return in<U>(load.action); }
+  const U& operator()(const plate::Load& load) const { return in<const U>(load.action); }
+
+private:
+  template <class V, class Action>
+  V& in(Action& action) const {
+    static thread_local std::remove_const_t<V> nowhere;
+    nowhere = nothing_;
+    V* found = &nowhere;
+    std::visit(
+        [&](auto& one) {
+          if constexpr (std::is_invocable_v<Member, decltype(one)>) found = &member_(one);
+        },
+        action);
+    return *found;
+  }
+
+  U nothing_;
+  Member member_;
+};
+
+/// Names of edges: a list that is not empty and names none twice.
+template <class T, class Project>
+Field<T> edges(const std::string& help, Project project) {
+  return value<T>(
+      {"edges", "-", "a list of edge names", "", help},
+      [=](const Value& given, T& object) {
+        const auto names = given.texts();
+        if (!names) return;
+        if (names->empty()) given.refuse("a list of at least one edge name");
+        std::unordered_set<std::string> before;
+        for (const auto& name : *names)
+          if (!before.insert(name).second) given.report_error(fmt::format("\"{}\" is named twice", name));
+        std::invoke(project, object) = *names;
+      },
+      [=](const T& object) {
+        const auto& names = std::invoke(project, object);
+        return names.empty() ? "" : text_of(names);
+      });
+}
+template <class T>
+Field<T> edges(const std::string& help) {
+  return edges<T>(help, &T::edges);
+}
+
+/// A list of at least some points.
+template <class T, class Project>
+Field<T> points(const std::string& name, Project project, std::size_t least, const std::string& help) {
+  const auto read = [=](const Value& given, T& object) {
+    const auto points = given.points();
+    if (points && points->size() < least) given.refuse(fmt::format("a list of {} points or more", least));
+    if (points) std::invoke(project, object) = *points;
+  };
+  const auto text = [=](const T& object) {
+    const auto& points = std::invoke(project, object);
+    return points.empty() ? "" : text_of(points);
+  };
+  return value<T>({name, "length", "[[x, y], ...]", "", help}, read, text);
+}
+
+}  // namespace
 
 Fields<plate::Foundation> foundation_fields() {
   using F = plate::Foundation;
@@ -15,11 +89,8 @@ Fields<plate::Foundation> foundation_fields() {
                                hole_fields("the disc that lies on the foundation, without it the plate",
                                            "the polygon that lies on the foundation, without it the plate"),
                                check_hole),
-      value<F>(
-          {"lifts_off", "-", "true or false", "false",
-           "the plate may lift off: it is pressed along w where w < 0, and nowhere pulled"},
-          [](const Value& given, F& f) { f.unilateral = given.boolean().value_or(false); },
-          [](const F& f) { return std::string(f.unilateral ? "true" : "false"); }),
+      boolean<F>("lifts_off", &F::unilateral,
+                 "the plate may lift off: it is pressed along w where w < 0, and nowhere pulled"),
   };
 }
 
@@ -153,6 +224,8 @@ const auto formula_in = OfAction(plate::Formula{}, [](auto& one) -> decltype((on
 const auto support_of = OfAction(std::size_t{}, [](auto& one) -> decltype((one.support)) { return one.support; });
 const auto rotation_of = OfAction(double{}, [](auto& one) -> decltype((one.rotation)) { return one.rotation; });
 
+const auto table_of = OfAction(plate::PressureTable{}, [](auto& one) -> decltype((one.table)) { return one.table; });
+
 Field<Load> tensor() {
   return value<Load>(
       {"tensor", "force", "[Mxx, Myy, Mxy]", "", "moments of a uniform field on the edges, instead of value and twist"},
@@ -162,9 +235,7 @@ Field<Load> tensor() {
       },
       [](const Load& load) {
         const auto& tensor = tensor_of(load);
-        if (!tensor) return std::string();
-        return fmt::format("[{}, {}, {}]", number_text((*tensor)[0]), number_text((*tensor)[1]),
-                           number_text((*tensor)[2]));
+        return tensor ? text_of_numbers(*tensor) : "";
       });
 }
 
@@ -198,6 +269,54 @@ Field<Load> expression() {
         if (const auto formula = formula_of(given)) formula_in(load) = *formula;
       },
       [](const Load& load) { return load.formula().given() ? quoted(load.formula().text()) : ""; });
+}
+
+/// Reads a table of pressures, or says why it cannot be read or is none.
+std::variant<plate::PressureTable, std::string> read_table(const std::filesystem::path& path) {
+  constexpr std::size_t most = 256 << 20;  // bytes
+  try {
+    if (std::filesystem::is_directory(path)) return "cannot be read";
+    return plate::PressureTable::parsed(post::read_text(path, most), path);
+  } catch (const std::length_error& error) {
+    return error.what();
+  } catch (const std::filesystem::filesystem_error&) {
+    return "cannot be read";
+  }
+}
+
+/// A file of pressures beside the case, and what it said when the case was resolved.
+Field<Load> table_field() {
+  return value<Load>(
+      {"table", "-", "a CSV file with the columns x, y, pressure", "",
+       "the pressure at places, sought beside the case: bilinear on a grid, else linear on triangles"},
+      [](const Value& given, Load& load) {
+        const auto text = given.text();
+        if (!text) return;
+        auto found = read_table(given.reading().folder / *text);
+        if (const auto* error = std::get_if<std::string>(&found))
+          given.report_error(fmt::format("\"{}\": {}", *text, *error));
+        else
+          table_of(load) = std::get<plate::PressureTable>(std::move(found));
+      },
+      [](const Load& load) {
+        const auto& table = table_of(load);
+        return table.given() ? quoted(table.file().string()) : "";
+      });
+}
+
+Field<Load> table_digest_field() {
+  return value<Load>(
+      {"table_digest", "-", "16 digits", "", "of what the table says; where given, another table is refused"},
+      [](const Value& given, Load& load) {
+        const auto text = given.text();
+        const auto& table = table_of(load);
+        if (text && table.given() && *text != table.digest())
+          given.report_error(fmt::format("{} given, but the table has {}: it is another one", *text, table.digest()));
+      },
+      [](const Load& load) {
+        const auto& table = table_of(load);
+        return table.given() ? quoted(table.digest()) : "";
+      });
 }
 
 Field<Load> load_kind() {
@@ -368,6 +487,98 @@ void check_load(const Value& given, Load& load) {
     if (tensor_of(load) && reading.given(given.below(name)))
       reading.report_error(given.below(name),
                            fmt::format("'{}' is given beside 'tensor', which replaces it: remove one of them", name));
+}
+
+namespace {
+
+template <class T>
+Field<T> name_of(const std::string& help) {
+  return value<T>(
+             {"name", "-", "letters, digits, _ and -", "", help},
+             [](const Value& given, T& object) {
+               object.name = given.text().value_or("");
+               if (given.is_text() && !bare(object.name)) given.refuse("letters, digits, _ and - only");
+             },
+             [](const T& object) { return object.name.empty() ? "" : quoted(object.name); })
+      .required();
+}
+
+}  // namespace
+
+Fields<plate::LoadCase> load_case_fields() {
+  using C = plate::LoadCase;
+  return {
+      name_of<C>("of the load case, in results and combinations"),
+      tables<C, plate::Load>("load", Layout::inline_, &C::loads, load_fields(), check_load),
+  };
+}
+
+Fields<plate::Combination> combination_fields() {
+  using C = plate::Combination;
+  const auto read = [](const Value& given, C& combination) {
+    const auto* entries = given.table();
+    if (!entries) return;
+    for (const auto& [name, node] : *entries) {
+      const Value factor(node, given.below(std::string(name.str())), given.reading());
+      if (const auto x = factor.number()) combination.of.emplace_back(name.str(), *x);
+    }
+  };
+  const auto write = [](const C& combination) {
+    std::vector<std::string> texts;
+    for (const auto& [name, factor] : combination.of) texts.push_back(name + " = " + number_text(factor));
+    return texts.empty() ? "" : fmt::format("{{ {} }}", fmt::join(texts, ", "));
+  };
+  return {
+      name_of<C>("of the combination, in results"),
+      value<C>({"of", "-", "{ name = factor, ... }", "", "what every load case counts for: the states add up"}, read,
+               write)
+          .required(),
+  };
+}
+
+namespace {
+
+/// A number, or an expression in x and y.
+Field<plate::Initial> anywhere(const std::string& name, const std::string& unit, plate::Formula plate::Initial::*member,
+                               const std::string& help) {
+  return value<plate::Initial>(
+      {name, unit, "a number or an expression in x, y and pi", "", help},
+      [member](const Value& given, plate::Initial& initial) {
+        const auto text = given.is_text() ? given.text() : std::nullopt;
+        const auto number = text ? std::nullopt : given.number();
+        if (!text && !number) return;
+        auto found = plate::Formula::parsed(text ? *text : number_text(*number));
+        if (const auto* error = std::get_if<std::string>(&found))
+          given.report_error(*error);
+        else
+          initial.*member = std::get<plate::Formula>(std::move(found));
+      },
+      [member](const plate::Initial& initial) {
+        return (initial.*member).given() ? quoted((initial.*member).text()) : "";
+      });
+}
+
+}  // namespace
+
+Fields<plate::Initial> initial_fields() {
+  using I = plate::Initial;
+  return {anywhere("deflection", "length", &I::deflection, "w at time 0, as \"0.01 * sin(pi * x) * sin(pi * y)\""),
+          anywhere("velocity", "length/time", &I::velocity, "velocity along w at time 0")};
+}
+
+Fields<plate::Impact> impact_fields() {
+  using I = plate::Impact;
+  return {value<I>(
+              {"position", "length", "[x, y] inside the plate", "", "where the mass meets the plate"},
+              [](const Value& given, I& impact) { impact.position = given.point().value_or(impact.position); },
+              [](const I& impact) { return text_of(impact.position); })
+              .required({Analysis::Kind::dynamic}),
+          number<I>("mass", "mass", &I::mass, positive, "of what hits the plate").required({Analysis::Kind::dynamic}),
+          number<I>("velocity", "length/time", &I::velocity, finite, "along w, as it meets the plate at time 0")
+              .required({Analysis::Kind::dynamic}),
+          number<I>("stiffness", "force/length", &I::stiffness, positive,
+                    "of the contact: a spring that does not pull, so that the mass may lift off")
+              .required({Analysis::Kind::dynamic})};
 }
 
 }  // namespace cases

@@ -170,13 +170,6 @@ std::string key_lines(const std::vector<ManualKey>& keys, const std::string& wan
   return text;
 }
 
-std::string key_table(const std::vector<ManualKey>& keys) {
-  std::string text = "| key | unit | allowed | default | meaning |\n|---|---|---|---|---|\n";
-  for (const auto& key : keys)
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.unit, key.allowed, key.standard, key.help);
-  return text;
-}
-
 std::string man_page(const Program& program, const std::vector<ManualKey>& keys) {
   std::string text = fmt::format(
       ".TH {0} 1 \"\" \"{1} {2}\" \"User Commands\"\n.SH NAME\n{1} \\- {3}\n.SH SYNOPSIS\n",

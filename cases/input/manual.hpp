@@ -48,9 +48,6 @@ struct ManualKey {
 /// Two lines for each key whose name contains this.
 std::string key_lines(const std::vector<ManualKey>& keys, const std::string& wanted);
 
-/// A table in Markdown.
-std::string key_table(const std::vector<ManualKey>& keys);
-
 /// The page for man(1), in roff.
 std::string man_page(const Program& program, const std::vector<ManualKey>& keys);
 

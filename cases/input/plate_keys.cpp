@@ -22,19 +22,14 @@ std::optional<std::pair<Point, Point>> corners(const Outline& outline) {
 }
 
 void read_rectangle(const Value& given, Outline& outline) {
-  const auto x = given.numbers(4, "[xmin, ymin, xmax, ymax]");
-  if (!x) return;
-  if (!((*x)[0] < (*x)[2] && (*x)[1] < (*x)[3]))
-    return given.refuse("[xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax");
-  outline.outer = geometry::rectangle((*x)[0], (*x)[1], (*x)[2], (*x)[3]).outer;
+  if (const auto x = box_of(given)) outline.outer = geometry::rectangle((*x)[0], (*x)[1], (*x)[2], (*x)[3]).outer;
 }
 
 std::string rectangle_text(const Outline& outline) {
   const auto found = corners(outline);
   if (!found) return "";
   const auto& [low, high] = *found;
-  return fmt::format("[{}, {}, {}, {}]", number_text(low.x()), number_text(low.y()), number_text(high.x()),
-                     number_text(high.y()));
+  return text_of_numbers(std::array{low.x(), low.y(), high.x(), high.y()});
 }
 
 void read_polygon(const Value& given, Polygon& polygon) {
@@ -90,9 +85,7 @@ Fields<Outline> outline_fields() {
 }
 
 void read_cracks(const Value& given, plate::Problem& content) {
-  const auto cracks = given.elements("a list of polylines [ [[x, y], [x, y]], ... ]");
-  if (!cracks) return;
-  for (const auto& crack : *cracks)
+  for (const auto& crack : given.elements("a list of polylines [ [[x, y], [x, y]], ... ]"))
     if (const auto points = crack.points()) content.cracks.push_back(*points);
 }
 
@@ -113,9 +106,7 @@ Fields<Hole> hole_fields(const std::string& round, const std::string& polygonal)
           },
           [](const Hole& hole) -> std::string {
             const auto* circle = std::get_if<Circle>(&hole);
-            return !circle ? ""
-                           : fmt::format("[{}, {}, {}]", number_text(circle->centre.x()),
-                                         number_text(circle->centre.y()), number_text(circle->radius));
+            return circle ? text_of_numbers(std::array{circle->centre.x(), circle->centre.y(), circle->radius}) : "";
           }),
       value<Hole>(
           {"polygon", "length", "[[x, y], ...]", "", polygonal},

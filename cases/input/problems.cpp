@@ -13,12 +13,9 @@ namespace {
 
 using Names = std::map<std::string, std::string, std::less<>>;  // name, key
 
-/// Names of what has a key for its parts only.
-const Names keys_of_parts{{"support_patch", "support.on"}};
-
 /// Names that are the last part of one key, and that of no entry of a list.
 Names names_of_keys() {
-  Names result = keys_of_parts;
+  Names result{{"support_patch", "support.on"}};  // which has a key for its parts only
   std::set<std::string> several;
   for (const auto& key : keys()) {
     const auto name = key.name.substr(key.name.rfind('.') + 1);

@@ -28,35 +28,26 @@ void check_normalization(const Value& given, Normalization& n) {
 Field<SrifOptions> srif_methods() {
   using enum post::SrifMethod;
   static const auto words = [] {
-    Words<int> result;
+    Words<post::SrifMethod> result;
     for (const auto method :
          {virtual_crack_extension, domain_integral, displacement_extrapolation, opening_series, series_fit})
-      result.allowed.emplace_back(name_of(method), 0);
+      result.allowed.emplace_back(name_of(method), method);
     return result;
   }();
   return value<SrifOptions>(
       {"methods", "-", "a list of " + words.text(), "", "how the intensity factors are found"},
       [](const Value& given, SrifOptions& options) {
-        const auto found = chosen(given, words);
-        if (found.empty()) {
-          if (given.reading().sound(given.key())) given.refuse("a list of at least one of " + words.text());
-          return;
-        }
-        options.methods.clear();
-        for (const auto& name : found) options.methods.push_back(*post::srif_method(name));
+        auto found = chosen(given, words);
+        if (!found.empty())
+          options.methods = std::move(found);
+        else if (given.reading().sound(given.key()))
+          given.refuse("a list of at least one of " + words.text());
       },
       [](const SrifOptions& options) {
         std::vector<std::string> names;
         for (const auto method : options.methods) names.push_back(name_of(method));
         return text_of(names);
       });
-}
-
-Field<SrifOptions> boolean(const std::string& name, bool SrifOptions::*member, const std::string& help) {
-  return value<SrifOptions>(
-      {name, "-", "true or false", "", help},
-      [=](const Value& given, SrifOptions& options) { options.*member = given.boolean().value_or(options.*member); },
-      [=](const SrifOptions& options) { return std::string(options.*member ? "true" : "false"); });
 }
 
 }  // namespace
@@ -75,12 +66,12 @@ Fields<SrifOptions> srif_fields() {
       number<S>("skip", "-", &S::skip, {0, 1000000}, "samples next to the tip left out"),
       number<S>("rows", "-", &S::rows, {1, 2},
                 "rows of points on each side: 1 nearest row, 2 extrapolated to the crack"),
-      boolean("richardson", &S::richardson,
-              "statics: also solve with twice the spacing; the difference counts in the estimated error")
+      boolean<S>("richardson", &S::richardson,
+                 "statics: also solve with twice the spacing; the difference counts in the estimated error")
           .in({Analysis::Kind::static_}),
-      boolean("second_formulation", &S::second_formulation,
-              "also run the case in the other formulation, into a folder of its name within the results; the "
-              "difference counts in the estimated error")
+      boolean<S>("second_formulation", &S::second_formulation,
+                 "also run the case in the other formulation, into a folder of its name within the results; the "
+                 "difference counts in the estimated error")
           .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("accuracy", "-", &S::accuracy, {1e-5, 0.2},
                 "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 "
@@ -123,18 +114,17 @@ Field<Output> report() {
 }
 
 Field<Output> fields() {
-  static const Words<int> words{{{"vtk", 0}, {"hdf5", 1}}};
+  static const Words<bool Output::*> words{{{"vtk", &Output::vtk}, {"hdf5", &Output::hdf5}}};
   return value<Output>(
       {"fields", "-", "a list of " + words.text(), "", "files of fields: for ParaView, for HDF5"},
       [](const Value& given, Output& output) {
-        const auto found = chosen(given, words);
-        output.vtk = std::find(found.begin(), found.end(), "vtk") != found.end();
-        output.hdf5 = std::find(found.begin(), found.end(), "hdf5") != found.end();
+        output.vtk = output.hdf5 = false;
+        for (const auto member : chosen(given, words)) output.*member = true;
       },
       [](const Output& output) {
         std::vector<std::string> names;
-        if (output.vtk) names.push_back("vtk");
-        if (output.hdf5) names.push_back("hdf5");
+        for (const auto& [name, member] : words.allowed)
+          if (output.*member) names.push_back(name);
         return text_of(names);
       });
 }

@@ -11,6 +11,15 @@
 #include "post/files/atomic_file.hpp"
 
 namespace cases {
+namespace {
+
+/// True where the key lies at or below another one.
+bool at_or_below(const std::string& key, const std::string& parent) {
+  if (!key.starts_with(parent)) return false;
+  return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
+}
+
+}  // namespace
 
 void Reading::note(const std::string& key, std::size_t line) {
   const std::string& file = found_.places.front().second;
@@ -20,10 +29,6 @@ void Reading::note(const std::string& key, std::size_t line) {
       return;
     }
   if (line > 0) found_.places.emplace_back(key, fmt::format("{}:{}", file, line));
-}
-
-void Reading::report_error(const std::string& key, const std::string& what) {
-  problems_.push_back({found_.place(key), key, what});
 }
 
 std::vector<Problem> Reading::problems() const {
@@ -51,10 +56,6 @@ bool Reading::sound(const std::string& key) const {
 Value::Value(const toml::node& node, std::string key, Reading& reading)
     : node_(&node), key_(std::move(key)), reading_(&reading) {
   if (!key_.empty()) reading.note(key_, node.source().begin.line);
-}
-
-void Value::refuse(const std::string& must_be) const {
-  report_error(shown() + " given, must be " + must_be);
 }
 
 std::string Value::toml() const {
@@ -140,21 +141,13 @@ std::optional<std::vector<geometry::Point>> Value::points() const {
   return std::nullopt;
 }
 
-std::optional<std::vector<Value>> Value::elements(const std::string& form) const {
+std::vector<Value> Value::elements(const std::string& form) const {
   const auto* array = node_->as_array();
-  if (!array) {
-    refuse(form);
-    return std::nullopt;
-  }
+  if (!array) refuse(form);
   std::vector<Value> values;
-  for (std::size_t i = 0; i < array->size(); ++i)
+  for (std::size_t i = 0; array && i < array->size(); ++i)
     values.emplace_back((*array)[i], fmt::format("{}[{}]", key_, i), *reading_);
   return values;
-}
-
-bool at_or_below(const std::string& key, const std::string& parent) {
-  if (!key.starts_with(parent)) return false;
-  return parent.empty() || key.size() == parent.size() || key[parent.size()] == '.' || key[parent.size()] == '[';
 }
 
 namespace {

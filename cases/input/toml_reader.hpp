@@ -28,7 +28,9 @@ public:
   /// The file gives this key at this line (0: not in the file).
   void note(const std::string& key, std::size_t line);
   /// Reports an error of the key at its place or that of its nearest parent.
-  void report_error(const std::string& key, const std::string& what);
+  void report_error(const std::string& key, const std::string& what) {
+    problems_.push_back({found_.place(key), key, what});
+  }
   void report_error(Problem problem) { problems_.push_back(std::move(problem)); }
 
   bool given(const std::string& key) const;
@@ -55,7 +57,7 @@ public:
   std::string below(const std::string& name) const { return key_.empty() ? name : key_ + "." + name; }
   void report_error(const std::string& what) const { reading_->report_error(key_, what); }
   /// Complains "VALUE given, must be ...".
-  void refuse(const std::string& must_be) const;
+  void refuse(const std::string& must_be) const { report_error(shown() + " given, must be " + must_be); }
   /// The value as TOML, in one line.
   std::string toml() const;
   /// The value as TOML, shortened.
@@ -71,7 +73,7 @@ public:
   std::optional<std::vector<std::string>> texts() const;
   std::optional<geometry::Point> point() const;
   std::optional<std::vector<geometry::Point>> points() const;
-  std::optional<std::vector<Value>> elements(const std::string& form) const;
+  std::vector<Value> elements(const std::string& form) const;
 
 private:
   const toml::node* node_;
@@ -82,9 +84,6 @@ private:
 /// Puts "key=value" into the tree, or takes the key of "-key" out of it, before anything is read. Complains where the
 /// key cannot be reached.
 void apply_override(toml::table& root, const std::string& setting, Reading& reading);
-
-/// True where the key lies at or below another one.
-bool at_or_below(const std::string& key, const std::string& parent);
 
 using plate::did_you_mean;
 using plate::listed;

@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 
 #include "cases/programs/command_line.hpp"
 #include "plate/distributed/mpi_communicator.hpp"

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "cases/runs/bonds_error.hpp"
-#include "cases/runs/distributed_run.hpp"
-#include "cases/runs/motion_checkpoints.hpp"
+#include "cases/runs/checkpoints.hpp"
 #include "cases/runs/results.hpp"
 #include "fracture/growth/moving_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -16,6 +15,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/archive.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -77,6 +77,8 @@ private:
   void solve_dynamic();
   void solve_frequencies();
   std::function<void(const plate::Instant&)> observer(std::size_t last, post::Progress& progress);
+  void save(const plate::MotionCheckpoint& now);
+  std::optional<plate::MotionCheckpoint> restored();
 
   Results results_;
   const Analysis& analysis_;
@@ -190,6 +192,42 @@ void SinglePlate::solve_by_lanczos() {
   summary.analysis.stop_reason = fmt::format("end of the duration, {} Lanczos vectors", motion.vectors());
 }
 
+/// Saves a motion by steps.
+void SinglePlate::save(const plate::MotionCheckpoint& now) {
+  const auto save_state = [&](plate::OutArchive& archive) {
+    archive(now, now.earlier.cols() > 0);
+    results_.save(archive);
+    if (growth_) growth_->save(archive);
+  };
+  checkpoints_->save(save_state, [&] {
+    return own_values(plate_.boundary(), {&now.state, &now.velocity, &now.earlier, &results_.state_of_largest()});
+  });
+}
+
+/// Restores the motion that was found; none where none was.
+std::optional<plate::MotionCheckpoint> SinglePlate::restored() {
+  plate::MotionCheckpoint result;
+  bool has_earlier = false;
+  const bool found = checkpoints_->restore([&](plate::InArchive& archive) {
+    archive(result, has_earlier);
+    results_.restore(archive);
+    if (growth_) growth_->restore(archive);
+  });
+  if (!found) return std::nullopt;
+  const auto impose = [&](plate::State& state) {
+    (growth_ ? growth_->constraints() : plate_.constraints()).impose(state);
+  };
+  const auto impose_and_lift = [&](plate::State& state) {
+    plate_.constraints().impose(state);
+    if (const auto lift = plate::lift_at(plate_, results_.time_of_largest()); lift.cols() > 0) state += lift;
+  };
+  std::vector<RestoredState> states{{&result.state, impose}, {&result.velocity}};
+  if (has_earlier) states.push_back({&result.earlier});
+  states.push_back({&results_.state_of_largest(), impose_and_lift});
+  put_values(plate_.boundary(), checkpoints_->parts(), states);
+  return result;
+}
+
 void SinglePlate::solve_dynamic() {
   auto& summary = this->summary();
   const auto& [limit, grid] = *ready_.steps;
@@ -212,8 +250,12 @@ void SinglePlate::solve_dynamic() {
   if (growth_) options.changes = &growth_->changes();
   options.held_forces = true;
   options.unconstrained_mass = plate::driven_mass(plate_, analysis_.rotary_inertia);
-  MotionCheckpoints motion(plate_, results_, growth_.get());
-  if (checkpoints_) motion.checkpoint_to(*checkpoints_, options);
+  std::optional<plate::MotionCheckpoint> from;
+  if (checkpoints_) {
+    options.due = [&] { return plate::largest_of(plate_, checkpoints_->due()) > 0; };
+    options.save = [&](const plate::MotionCheckpoint& now) { save(now); };
+    if ((from = restored())) options.from = &*from;
+  }
   plate::central_differences(growth_ ? growth_->plate() : plate_, constraints, plate_.mass(analysis_.rotary_inertia),
                              plate_.loads(), options, observer(grid.steps, progress));
   summary.analysis.stop_reason = "end of the duration";

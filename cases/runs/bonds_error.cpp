@@ -47,10 +47,6 @@ double largest_stress(const plate::Formulation& plate, const plate::State& state
   return 0;
 }
 
-void replace_estimates(const plate::Formulation& bonds, std::vector<std::string>& warnings) {
-  for (const auto& estimated : plate::estimated_errors(bonds)) std::erase(warnings, estimated);
-}
-
 std::string because(const plate::Problem& problem, double share) {
   if (share > 0 || !is_thin(problem)) return "";
   return fmt::format(" (shear locking, thickness {:.2g} spacings)",
@@ -84,13 +80,6 @@ plate::Problem of_galerkin(const plate::Problem& bonds) {
   return result;
 }
 
-bool near_force(const plate::Problem& problem, const geometry::Point& x, double reach) {
-  return std::ranges::any_of(problem.loads, [&](const plate::Load& load) {
-    const auto place = load.point();
-    return place && (*place - x).norm() < reach;
-  });
-}
-
 struct Largest {
   double w = 0;
   geometry::Point at{0, 0};
@@ -99,10 +88,15 @@ struct Largest {
 /// Largest |w| of all points at least `away` from point forces [length].
 Largest largest(const plate::Formulation& plate, const plate::State& state, double away) {
   const auto& cloud = plate.cloud();
+  const auto near_force = [&](const geometry::Point& x) {
+    return std::ranges::any_of(plate.problem().loads, [&](const plate::Load& load) {
+      const auto place = load.point();
+      return place && (*place - x).norm() < away;
+    });
+  };
   Largest result;
   for (std::size_t k = 0; k < cloud.plate_points; ++k)
-    if (const double w = std::abs(state(0, Eigen::Index(k)));
-        w > result.w && !near_force(plate.problem(), cloud.positions[k], away))
+    if (const double w = std::abs(state(0, Eigen::Index(k))); w > result.w && !near_force(cloud.positions[k]))
       result = {w, cloud.positions[k]};
   return result;
 }
@@ -149,7 +143,7 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
   if (!of_bonds(bonds, problem) || (bonds.points() > many && !is_thin(problem))) return;
   const auto witness = galerkin_witness(problem);
   if (!witness) return;
-  replace_estimates(bonds, warnings);
+  for (const auto& estimated : plate::estimated_errors(bonds)) std::erase(warnings, estimated);
   const auto error = deflection_error(bonds, state, *witness);
   if (error && std::abs(error->share) > told_deflection)
     warnings.push_back(fmt::format(

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "cases/runs/analyses.hpp"
-#include "cases/runs/distributed_run.hpp"
 #include "cases/runs/outputs.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -19,7 +18,6 @@
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
-#include "post/files/factor_rows.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/conclusion.hpp"
 #include "post/report/overlaps.hpp"

@@ -79,8 +79,6 @@ void fetch(const plate::Formulation& plate, Rows&& values) {
 
 }  // namespace
 
-OwnedMesh::OwnedMesh(const plate::Formulation& plate) : OwnedMesh(plate, plate.mesh()) {}
-
 OwnedMesh::OwnedMesh(const plate::Formulation& plate, const plate::Mesh& whole) : plate_(plate) {
   MeshPart part(whole);
   for (std::uint32_t k = 0; k < plate.cloud().plate_points; ++k)

@@ -15,9 +15,8 @@ namespace cases {
 /// the values of the ghosts that these cells have.
 class OwnedMesh {
 public:
-  /// `plate` must outlive this.
-  explicit OwnedMesh(const plate::Formulation& plate);
-  /// Constructs from `whole`: all points that the rank knows, and their cells, where these are drawn.
+  /// Constructs from `whole`: all points that the rank knows, and their cells, where these are drawn. `plate` must
+  /// outlive this.
   OwnedMesh(const plate::Formulation& plate, const plate::Mesh& whole);
 
   /// Mesh whose owned points come first, in the order that they have in the plate.

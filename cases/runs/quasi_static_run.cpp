@@ -84,7 +84,7 @@ plate::NumericalError QuasiStaticRun::failed(const plate::NumericalError& error)
 
 void QuasiStaticRun::interrupted() {
   outcome_.ended = {fracture::End::interrupted, {}};
-  write_held(checkpoints_);
+  if (checkpoints_) checkpoints_->write();
 }
 
 void QuasiStaticRun::observe(const fracture::Equilibrium& now) {
@@ -157,15 +157,15 @@ fracture::Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints,
   return {goes_on ? &load : nullptr, hold};
 }
 
-void QuasiStaticRun::write_held(RunCheckpoints* checkpoints) {
-  if (checkpoints) checkpoints->write();
-}
-
 void QuasiStaticRun::record() {
   auto& recorder = outputs_->recorder();
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
-  if (solved && recorder.stores()) store();
+  if (solved && recorder.stores()) {
+    auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
+    model_->draw(frame, state_);  // its resultants
+    outputs_->final_state(model_->plate(), std::move(frame));
+  }
   if (tips_ || content_.srif) recorder.table("srif", srifs_);
   if (!reactions_.empty()) recorder.table("reactions", reactions_.table());
   const auto& record = model_->record();
@@ -175,13 +175,6 @@ void QuasiStaticRun::record() {
   recorder.cracks(record.cracks, latest_);
   if (recorder.plots())
     recorder.picture("curves", post::picture_of_growth(content_.title, record.growth, content_.si()));
-}
-
-void QuasiStaticRun::store() {
-  const auto& plate = model_->plate();
-  auto frame = post::frame_of(plate, double(advance_), advance_, state_, false);
-  model_->draw(frame, state_);  // its resultants
-  outputs_->final_state(plate, std::move(frame));
 }
 
 post::GrowthSummary QuasiStaticRun::growth_summary() const {

@@ -39,13 +39,11 @@ public:
 
 private:
   fracture::Continuation continuation(RunCheckpoints& checkpoints, fracture::QuasiStaticLoad& load);
-  static void write_held(RunCheckpoints* checkpoints);
   template <typename Archive>
   void memory(Archive& archive);
   void observe(const fracture::Equilibrium& now);
   void frame();
   void record();
-  void store();
   post::GrowthSummary growth_summary() const;
 
   RunPlan plan_;

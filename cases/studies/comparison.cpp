@@ -9,7 +9,6 @@
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <stdexcept>
 
 #include "plate/model/wording.hpp"
@@ -29,24 +28,9 @@ std::optional<double> cell_number(const post::Cell& cell) {
   return value && std::isfinite(*value) ? std::optional(*value) : std::nullopt;
 }
 
-std::string cell_word(const post::Cell& cell) {
-  const auto* text = std::get_if<std::string>(&cell);
-  return text ? *text : std::string();
-}
-
 bool has(const post::Table& table, const std::string& name) {
   return std::ranges::find(table.columns, name) != table.columns.end();
 }
-
-struct Place {
-  double x, y;
-};
-
-/// Rows of probes.csv for the probe that is compared.
-struct ProbeRows {
-  post::Table history;
-  std::optional<Place> place;
-};
 
 std::optional<post::Table> read_if_there(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
@@ -59,31 +43,31 @@ post::Table rows_where(const post::Table& table, const std::function<bool(const 
   return result;
 }
 
-std::optional<Place> place(const post::Table& table, const Row& row) {
+std::optional<geometry::Point> place(const post::Table& table, const Row& row) {
   const auto x = cell_number(row[table.column("x")]), y = cell_number(row[table.column("y")]);
-  return x && y ? std::optional(Place{*x, *y}) : std::nullopt;
+  return x && y ? std::optional(geometry::Point(*x, *y)) : std::nullopt;
 }
 
-ProbeRows probe(const post::Table& probes) {
+/// Rows of probes.csv for the probe that is compared.
+post::Table probe(const post::Table& probes) {
   const std::size_t name = probes.column("probe");
-  post::Table history = rows_where(probes, [&](const Row& row) { return cell_word(row[name]) == "tip"; });
+  post::Table history = rows_where(probes, [&](const Row& row) { return row[name] == post::Cell("tip"); });
   if (history.rows.empty() && !probes.rows.empty()) {
     const post::Cell first = probes.rows.front()[name];
     history = rows_where(probes, [&](const Row& row) { return row[name] == first; });
   }
-  const auto where = history.rows.empty() ? std::nullopt : place(history, history.rows.front());
-  return {std::move(history), where};
+  return history;
 }
 
 /// The rows of the tip that is nearest to `near` at the first time, by the first method listed for it.
-post::Table tip_history(const post::Table& srifs, const std::optional<Place>& near) {
+post::Table tip_history(const post::Table& srifs, const std::optional<geometry::Point>& near) {
   const std::size_t time = srifs.column("time"), tip = srifs.column("tip"), method = srifs.column("method");
   const Row* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const Row& row : srifs.rows) {
     if (row[time] != srifs.rows.front()[time]) break;
     const auto where = place(srifs, row);
-    const double distance = near && where ? std::hypot(where->x - near->x, where->y - near->y) : 0;
+    const double distance = near && where ? std::hypot(where->x() - near->x(), where->y() - near->y()) : 0;
     if (distance >= least) continue;
     least = distance;
     nearest = &row;
@@ -103,10 +87,9 @@ std::vector<std::string> reference_columns(const post::Table& reference, const s
   return names;
 }
 
-template <std::size_t Count>
 void add(std::vector<ComparedQuantity>& rows, const post::Table& computed, const post::Table& reference,
-         const std::array<const char*, Count>& quantities) {
-  for (const std::string quantity : quantities) {
+         std::initializer_list<std::string> quantities) {
+  for (const auto& quantity : quantities) {
     if (!has(computed, quantity)) continue;
     const post::Curve run = curve(computed, "time", quantity);
     if (run.t.empty()) continue;
@@ -138,15 +121,14 @@ std::vector<ComparedQuantity> compare(const std::filesystem::path& results, cons
   const post::Table curves = post::read_csv(reference);
   if (!has(curves, "t")) throw std::invalid_argument("no column t, so it holds no curves");
   std::vector<ComparedQuantity> rows;
-  std::optional<Place> near;
+  std::optional<geometry::Point> near;
   if (const auto probes = read_if_there(results / "probes.csv")) {
-    const ProbeRows chosen = probe(*probes);
-    near = chosen.place;
-    add(rows, chosen.history, curves, std::array{"w", "theta_x", "theta_y"});
+    const post::Table history = probe(*probes);
+    if (!history.rows.empty()) near = place(history, history.rows.front());
+    add(rows, history, curves, {"w", "theta_x", "theta_y"});
   }
-  if (const auto srifs = read_if_there(results / "srif.csv")) {
-    add(rows, tip_history(*srifs, near), curves, std::array{"F1", "F2", "F3", "K1", "K2", "K3"});
-  }
+  if (const auto srifs = read_if_there(results / "srif.csv"))
+    add(rows, tip_history(*srifs, near), curves, {"F1", "F2", "F3", "K1", "K2", "K3"});
   if (rows.empty()) {
     throw std::invalid_argument(fmt::format("no curve in common with {}", (results / "{probes,srif}.csv").string()));
   }
@@ -155,7 +137,8 @@ std::vector<ComparedQuantity> compare(const std::filesystem::path& results, cons
 
 Tolerances tolerances(const std::vector<std::string>& texts, std::optional<double> all) {
   Tolerances result{{}, all};
-  const auto& names = measure_names();
+  std::vector<std::string> names;
+  for (const auto& [name, unused] : measures({.shift = 0})) names.push_back(name);  // the shift, too
   for (const auto& text : texts) {
     const auto equals = std::min(text.find('='), text.size());
     const std::string name = text.substr(0, equals);

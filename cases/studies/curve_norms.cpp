@@ -110,10 +110,6 @@ std::optional<double> shift(const post::Curve& computed, const post::Curve& refe
 
 }  // namespace
 
-std::optional<double> Comparison::relative_shift() const {
-  return shift ? std::optional(*shift / (to - from)) : std::nullopt;
-}
-
 std::variant<Comparison, std::string> compare(const std::vector<double>& t, const std::vector<double>& y,
                                               const std::vector<double>& reference_t,
                                               const std::vector<double>& reference_y) {
@@ -149,11 +145,6 @@ std::variant<Comparison, std::string> compare(const std::vector<double>& t, cons
   if (to > from) result.peak_time_error = (computed.time - reference.time) / (to - from);
   result.shift = shift({t, y}, {reference_t, reference_y}, from, to);
   return result;
-}
-
-const std::vector<std::string>& measure_names() {
-  static const std::vector<std::string> names{"l2", "max", "peak", "peak_time", "shift"};
-  return names;
 }
 
 std::vector<std::pair<std::string, double>> measures(const Comparison& comparison) {

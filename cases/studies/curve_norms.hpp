@@ -27,7 +27,7 @@ struct Comparison {
   std::optional<double> shift;  // by which the computed curve comes late [time]; none where one of them is constant
 
   /// `shift` over the common range.
-  std::optional<double> relative_shift() const;
+  std::optional<double> relative_shift() const { return shift ? std::optional(*shift / (to - from)) : std::nullopt; }
 };
 
 /// Compares y(t) with reference_y(reference_t). The shift is that by which the two correlate best, at most a quarter of
@@ -37,9 +37,6 @@ struct Comparison {
 std::variant<Comparison, std::string> compare(const std::vector<double>& t, const std::vector<double>& y,
                                               const std::vector<double>& reference_t,
                                               const std::vector<double>& reference_y);
-
-/// The names of `measures`.
-const std::vector<std::string>& measure_names();
 
 /// The relative numbers of a comparison that a script may hold against a tolerance, by name: l2, max, peak, peak_time,
 /// shift; without sign. A shift that is not known is left out.

@@ -10,6 +10,13 @@ struct Setting {
   std::string text, place;
 };
 
+/// Fields of one list and of another.
+template <class T>
+Fields<T> joined(Fields<T> fields, const Fields<T>& more) {
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
 template <class T>
 Field<T> entry(const std::string& name, const std::string& allowed, std::function<void(const Value&, T&)> read) {
   return {name, {{name, "", allowed, "", ""}}, std::move(read), {}};
@@ -24,22 +31,25 @@ Field<T> word(const std::string& name, Project project) {
   });
 }
 
+/// A file that is named relative to the one that is read.
+inline std::filesystem::path file_beside(const Value& given, const std::string& name) {
+  auto path = given.reading().folder / name;
+  if (!std::filesystem::exists(path)) given.report_error(fmt::format("no such file: {}", path.string()));
+  return path;
+}
+
 template <class T>
 Field<T> case_file() {
   return entry<T>("case", "a case file", [](const Value& given, T& object) {
     const auto name = given.text();
-    if (!name) return;
-    object.case_file = std::filesystem::path(given.reading().found().place("")).parent_path() / *name;
-    if (!std::filesystem::exists(*object.case_file))
-      given.report_error(fmt::format("no such file: {}", object.case_file->string()));
+    if (name) object.case_file = file_beside(given, *name);
   });
 }
 
 template <class T>
 Field<T> settings() {
   return entry<T>("set", "", [](const Value& given, T& object) {
-    const auto elements = given.elements("a list of overrides [\"key=value\", ...]");
-    for (const auto& element : elements.value_or(std::vector<Value>()))
+    for (const auto& element : given.elements("a list of overrides [\"key=value\", ...]"))
       if (const auto text = element.text()) object.set.push_back({*text, given.reading().found().place(element.key())});
   });
 }

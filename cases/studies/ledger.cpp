@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <string_view>
 
 #include "post/files/atomic_file.hpp"
 #include "post/files/run_folder.hpp"
@@ -34,25 +33,17 @@ std::optional<double> stage(const Cost& cost, const std::string& name) {
   return std::nullopt;
 }
 
-post::Cell ledger_cell(const std::optional<double>& number) {
-  return number ? post::Cell(*number) : post::Cell();
-}
-
-post::Cell ledger_cell(const std::string& word) {
-  return word.empty() ? post::Cell() : post::Cell(word);
-}
-
 std::vector<post::Cell> row_of(const RunRecord& r) {
-  std::vector<post::Cell> row{ledger_cell("./" + r.run),
-                              ledger_cell("id " + r.digest),  // words, not numbers
-                              ledger_cell("version " + r.version),
-                              ledger_cell(name_of(r.outcome)),
-                              ledger_cell(r.message),
+  std::vector<post::Cell> row{post::cell("./" + r.run),
+                              post::cell("id " + r.digest),  // words, not numbers
+                              post::cell("version " + r.version),
+                              post::cell(name_of(r.outcome)),
+                              post::cell(r.message),
                               double(r.cost.repeats),
-                              ledger_cell(stage(r.cost, "total")),
+                              post::cell(stage(r.cost, "total")),
                               r.cost.repeats > 0 ? post::Cell(r.cost.least) : post::Cell(),
                               r.cost.repeats > 0 ? post::Cell(r.cost.most) : post::Cell()};
-  for (const char* name : stages) row.push_back(ledger_cell(stage(r.cost, name)));
+  for (const char* name : stages) row.push_back(post::cell(stage(r.cost, name)));
   return row;
 }
 
@@ -118,12 +109,6 @@ Cost cost_of(const std::vector<std::vector<std::pair<std::string, double>>>& sec
   return cost;
 }
 
-Ledger::Ledger(const std::filesystem::path& study) : folder_(study / ".runs") {}  // plain_name: no run is called so
-
-std::filesystem::path Ledger::file_of(const std::string& run) const {
-  return folder_ / (run + ".csv");
-}
-
 std::optional<RunRecord> Ledger::known(const std::string& run) const {
   try {
     if (!std::filesystem::exists(file_of(run)) || !whole(post::read_text(file_of(run)))) return std::nullopt;
@@ -146,10 +131,6 @@ void Ledger::put(const RunRecord& record) const {
   std::filesystem::create_directories(folder_);
   const auto text = post::csv_text({columns(), {row_of(record)}});
   post::write_atomically(file_of(record.run), text + std::string(mark) + post::digest(text) + "\n");
-}
-
-void Ledger::forget(const std::string& run) const {
-  std::filesystem::remove(file_of(run));
 }
 
 bool same_program(const RunRecord& record, const RunRecord& wanted) {

@@ -39,8 +39,8 @@ struct RunRecord {
 /// find a file whole.
 class Ledger {
 public:
-  /// Constructs a ledger in a separate folder below that of the study, whose name no run has.
-  explicit Ledger(const std::filesystem::path& study);
+  /// Constructs a ledger in a separate folder below that of the study, whose name no run has (plain_name).
+  explicit Ledger(const std::filesystem::path& study) : folder_(study / ".runs") {}
 
   /// Record of a run; none where there is no record or it is damaged, even by one bit.
   std::optional<RunRecord> known(const std::string& run) const;
@@ -48,13 +48,13 @@ public:
   std::optional<RunRecord> done(const RunRecord& wanted, std::size_t repeats) const;
   void put(const RunRecord& record) const;
   /// Forgets a run, which is about to be made anew.
-  void forget(const std::string& run) const;
+  void forget(const std::string& run) const { std::filesystem::remove(file_of(run)); }
 
   /// The file of the locks of its writers.
   std::filesystem::path locks() const { return folder_ / "locks"; }
 
 private:
-  std::filesystem::path file_of(const std::string& run) const;
+  std::filesystem::path file_of(const std::string& run) const { return folder_ / (run + ".csv"); }
 
   std::filesystem::path folder_;
 };

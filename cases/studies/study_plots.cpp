@@ -49,19 +49,12 @@ std::string name_of(const StudyTable& study, const StudyLine& line, std::optiona
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Lines of the same name look the same in all panels.
-class Looks {
-public:
-  std::size_t number(const std::string& name) {
-    const auto found = std::ranges::find(names_, name);
-    if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
-    names_.push_back(name);
-    return names_.size() - 1;
-  }
+/// Number of a look by name: lines of the same name look the same in all panels.
+using Looks = std::map<std::string, std::size_t>;
 
-private:
-  std::vector<std::string> names_;
-};
+std::size_t look_of(const std::string& name, Looks& looks) {
+  return looks.emplace(name, looks.size()).first->second;
+}
 
 /// A quantity at a place, in the order in which the rows first name them.
 std::vector<std::pair<std::string, std::string>> places(const StudyTable& study) {
@@ -125,7 +118,7 @@ post::CurvePlot error_plot(const StudyTable& study, const StudyTitles& titles, c
       if (line.first.quantity != quantity || line.first.place != place) continue;
       const std::string name = name_of(study, line, axis), order = order_of(all_orders, line);
       post::Series series{name, along ? post::Line::numbered : post::Line::marks,
-                          curve_of(study, line, abscissa.value, percent), looks.number(name)};
+                          curve_of(study, line, abscissa.value, percent), look_of(name, looks)};
       if (!order.empty()) series.label += name.empty() ? order : fmt::format(" ({})", order);
       if (!series.curve.t.empty()) panel.series.push_back(std::move(series));
     }
@@ -173,7 +166,7 @@ post::CurvePlot value_plot(const StudyTable& study, const StudyTitles& titles, c
       if (line.first.quantity != name || line.first.place != place) continue;
       const std::string legend = name_of(study, line, axis);
       post::Series series{legend.empty() ? "computed" : legend, post::Line::numbered,
-                          curve_of(study, line, label, computed), looks.number(legend)};
+                          curve_of(study, line, label, computed), look_of(legend, looks)};
       has_line = has_line || series.curve.t.size() > 1;
       if (!series.curve.t.empty()) panel.series.push_back(std::move(series));
     }

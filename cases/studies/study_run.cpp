@@ -1,5 +1,3 @@
-#include "cases/studies/study_run.hpp"
-
 #include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
@@ -8,9 +6,14 @@
 #include <numeric>
 #include <thread>
 
+#include "cases/driver/run.hpp"
+#include "cases/input/keys.hpp"
 #include "cases/studies/isolated_runs.hpp"
 #include "cases/studies/orders.hpp"
+#include "cases/studies/study.hpp"
 #include "cases/studies/study_files.hpp"
+#include "cases/studies/study_plots.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/summary.hpp"
@@ -73,24 +76,52 @@ using Use = post::NamedLock::Use;
 constexpr auto patience = 2s;  // for the children of a process that was killed: they end with the system's next look
 constexpr auto pause = 200ms;  // between looks at a run that another process makes
 
+/// The unit of a key in SI units; "" without one.
+std::string si_unit(const std::string& key) {
+  const auto known = std::ranges::find(keys(), key, &Key::name);
+  return known == keys().end() ? "" : post::si_unit_of(known->unit);
+}
+
+StudyTitles titles(const Study& study) {
+  StudyTitles result{study.title, study.axis_names(), true};
+  for (const auto& run : study.runs) result.si = result.si && run.file.content.units == "SI";
+  for (std::size_t i = 0; i < study.axes.size(); ++i)
+    if (const auto unit = si_unit(study.axes[i].key); result.si && !unit.empty())
+      result.axes[i] += fmt::format(" [{}]", unit);
+  return result;
+}
+
+Ended ended_run(const CaseFile& file, const fs::path& folder) {
+  try {
+    run(file, {folder, true});
+    return {RunOutcome::done};
+  } catch (const CaseError& error) {
+    return {RunOutcome::refused, error.what()};
+  } catch (const plate::NumericalError& error) {
+    return {RunOutcome::failed, error.what()};
+  } catch (const plate::Interrupted& asked) {
+    return {RunOutcome::interrupted, asked.what()};
+  }
+}
+
 /// Outcome of the runs of a study so far.
 class Made {
 public:
-  Made(const StudyJobs& study, const StudyOptions& options) : study_(study), options_(options) {}
+  Made(const Study& study, const StudyOptions& options) : study_(study), options_(options) {}
 
   void take(std::size_t i, const RunRecord& record, bool before) {
-    const auto& job = study_.jobs[i];
+    const auto& run = study_.runs[i];
     outcome_.wrong_cases += record.outcome == RunOutcome::refused;
     outcome_.failed_numbers += record.outcome == RunOutcome::failed;
     outcome_.killed += record.outcome == RunOutcome::killed || record.outcome == RunOutcome::interrupted;
     outcome_.missing += record.outcome == RunOutcome::missing;
     auto& [kept, rows] = made_[i];
     kept = record;
-    rows = rows_of(record, job.row, job.quantities, options_.folder);
+    rows = rows_of(record, bare_row(run), run.wanted, options_.folder);
     for (const auto& row : rows) {
       const bool is_first = &row == &rows.front();
       if ((is_first && !options_.quiet && !options_.merge) || !row.message.empty())
-        post::say(fmt::format("[{}/{}] {}{}\n", i + 1, study_.jobs.size(), to_text(row),
+        post::say(fmt::format("[{}/{}] {}{}\n", i + 1, study_.runs.size(), to_text(row),
                               before && is_first && !options_.merge ? " (done before)" : ""));
     }
   }
@@ -98,7 +129,7 @@ public:
   /// Outcome so far, in the order of the study.
   StudyOutcome outcome() const {
     auto result = outcome_;
-    result.table.axes = study_.axes;
+    result.table.axes = study_.axis_names();
     for (const auto& [i, run] : made_)
       result.table.rows.insert(result.table.rows.end(), run.rows.begin(), run.rows.end());
     refer_to_finest(result.table);
@@ -110,72 +141,76 @@ public:
     for (const auto& [i, run] : made_)
       if (run.record.outcome != RunOutcome::missing) records.push_back(run.record);
     write_records(options_.folder / "runs.csv", records);
-    write_study(outcome().table, study_.titles, options_.folder);
+    write_study(outcome().table, titles(study_), options_.folder);
   }
 
 private:
-  struct Run {
+  struct MadeRun {
     RunRecord record;
     std::vector<StudyRow> rows;
   };
-  const StudyJobs& study_;
+  const Study& study_;
   const StudyOptions& options_;
   StudyOutcome outcome_;
-  std::map<std::size_t, Run> made_;
+  std::map<std::size_t, MadeRun> made_;
 };
 
 /// Reason why a run that is known to the ledger, or is not, cannot be merged; empty where it can.
-std::string lack(const std::optional<RunRecord>& known, const StudyJob& job, std::size_t repeats,
+std::string lack(const std::optional<RunRecord>& known, const RunRecord& wanted, std::size_t repeats,
                  const fs::path& folder) {
   if (!known) return "not made to its end (or its record is damaged)";
-  if (known->digest != job.wanted.digest) return "made with other settings";
-  if (!same_program(*known, job.wanted)) return "made by another build of the program: " + known->version;
+  if (known->digest != wanted.digest) return "made with other settings";
+  if (!same_program(*known, wanted)) return "made by another build of the program: " + known->version;
   if (known->outcome == RunOutcome::interrupted) return "was interrupted";
   if (known->outcome != RunOutcome::done) return {};
   if (known->cost.repeats < repeats) return fmt::format("made {} times of {}", known->cost.repeats, repeats);
-  return post::read_summary(folder / job.wanted.run / "summary.json") ? "" : "its results are not there";
+  return post::read_summary(folder / wanted.run / "summary.json") ? "" : "its results are not there";
 }
 
-StudyOutcome merged(const StudyJobs& study, const StudyOptions& options, const Ledger& ledger) {
+StudyOutcome merged(const Study& study, const StudyOptions& options, const Ledger& ledger) {
   Made made(study, options);
-  for (std::size_t i = 0; i < study.jobs.size(); ++i) {
-    const auto& job = study.jobs[i];
-    const post::NamedLock lock(ledger.locks(), "run " + job.wanted.run, Use::together);  // nobody makes it meanwhile
-    const auto known = ledger.known(job.wanted.run);
-    auto missing = job.wanted;
+  for (std::size_t i = 0; i < study.runs.size(); ++i) {
+    const auto& wanted = study.runs[i].record;
+    const post::NamedLock lock(ledger.locks(), "run " + wanted.run, Use::together);  // nobody makes it meanwhile
+    const auto known = ledger.known(wanted.run);
+    auto missing = wanted;
     missing.outcome = RunOutcome::missing;
-    missing.message = lock.held() ? lack(known, job, study.repeats, options.folder) : "another process makes it now";
+    missing.message = lock.held() ? lack(known, wanted, study.repeats, options.folder) : "another process makes it now";
     made.take(i, missing.message.empty() ? *known : missing, true);
   }
   made.write();
   auto outcome = made.outcome();
-  if (outcome.missing > 0) post::say(fmt::format("{} of {} runs are missing\n", outcome.missing, study.jobs.size()));
+  if (outcome.missing > 0) post::say(fmt::format("{} of {} runs are missing\n", outcome.missing, study.runs.size()));
   return outcome;
 }
 
 /// The record of a run: as it was made before, or now; nothing where another process makes it.
-std::optional<std::pair<RunRecord, bool>> record_of(const StudyJob& job, std::size_t repeats, const fs::path& folder,
+std::optional<std::pair<RunRecord, bool>> record_of(const StudyRun& run, std::size_t repeats, const fs::path& folder,
                                                     const Ledger& ledger) {
-  const post::NamedLock lock(ledger.locks(), "run " + job.wanted.run, Use::alone);
+  const post::NamedLock lock(ledger.locks(), "run " + run.folder, Use::alone);
   if (!lock.held()) return std::nullopt;
-  if (auto kept = kept_record(job.wanted, repeats, folder, ledger)) return std::pair(std::move(*kept), true);
-  return std::pair(new_record(job.wanted, repeats, folder, ledger, job.run), false);
+  if (auto kept = kept_record(run.record, repeats, folder, ledger)) return std::pair(std::move(*kept), true);
+  const auto work = [&] { return ended_run(run.file, folder / run.folder); };
+  return std::pair(new_record(run.record, repeats, folder, ledger, work), false);
 }
 
-StudyOutcome make(const StudyJobs& study, const StudyOptions& options, const Ledger& ledger) {
+StudyOutcome make(const Study& study, const StudyOptions& options, const Ledger& ledger) {
   std::vector<std::uint64_t> weights;
-  for (const auto& job : study.jobs) weights.push_back(job.weight);
+  for (const auto& run : study.runs) {
+    const auto& c = run.file.content;
+    weights.push_back(weight(geometry::area(c.outline), c.discretization.spacing));
+  }
   auto left = share(weights, options.part.value_or(StudyPart()));
   if (options.part && !options.quiet)
-    post::say(fmt::format("part {}: {} of {} runs\n", options.part->text(), left.size(), study.jobs.size()));
+    post::say(fmt::format("part {}: {} of {} runs\n", options.part->text(), left.size(), study.runs.size()));
   if (options.again)
-    for (const std::size_t i : left) ledger.forget(study.jobs[i].wanted.run);
+    for (const std::size_t i : left) ledger.forget(study.runs[i].folder);
   const plate::StopOnSignals signals;
   Made made(study, options);
   while (!left.empty()) {
     const auto before = left.size();
     std::erase_if(left, [&](std::size_t i) {
-      const auto record = record_of(study.jobs[i], study.repeats, options.folder, ledger);
+      const auto record = record_of(study.runs[i], study.repeats, options.folder, ledger);
       if (record) made.take(i, record->first, record->second);
       if (record && !options.part) made.write();
       plate::stop_if_asked("a study: the same command goes on from here");
@@ -188,26 +223,26 @@ StudyOutcome make(const StudyJobs& study, const StudyOptions& options, const Led
 
 }  // namespace
 
-StudyOutcome run_study(const StudyJobs& study, const StudyOptions& options) {
+StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   const auto& folder = options.folder;
   const Ledger ledger(folder);
   if (options.merge && !fs::exists(ledger.locks()))
-    throw StudyRefused("--out", folder.string(), "holds nothing of a study that could be merged");
+    throw CaseError({{"--out", folder.string(), "holds nothing of a study that could be merged"}});
   fs::create_directories(ledger.locks().parent_path());
   const auto lock = [&](const std::string& name, Use use) {
     return post::NamedLock(ledger.locks(), name, use, patience);
   };
   const auto whole = lock("study", options.part || options.merge ? Use::together : Use::alone);
-  if (!whole.held()) throw StudyRefused("--out", folder.string(), "another study writes to this folder");
+  if (!whole.held()) throw CaseError({{"--out", folder.string(), "another study writes to this folder"}});
   if (options.merge) {
     const auto own = lock("merge", Use::alone);
-    if (!own.held()) throw StudyRefused("--merge", folder.string(), "another process merges in this folder");
+    if (!own.held()) throw CaseError({{"--merge", folder.string(), "another process merges in this folder"}});
     return merged(study, options, ledger);
   }
   if (!options.part) return make(study, options, ledger);
   const auto part = options.part->text();
   const auto own = lock("part " + part, Use::alone);
-  if (!own.held()) throw StudyRefused("--part", part, "another process works on this part in this folder");
+  if (!own.held()) throw CaseError({{"--part", part, "another process works on this part in this folder"}});
   if (!own.works())
     post::say(folder.string() +
               ": this file system knows no locks: start no part twice at the same time, no study beside it\n");

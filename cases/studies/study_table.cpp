@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <stdexcept>
 
 #include "cases/studies/comparison.hpp"
 #include "cases/studies/ledger.hpp"

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "fracture/breakage/damaged_plate.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/solve/gathered_archives.hpp"
 
 namespace fracture {
@@ -32,16 +33,6 @@ std::optional<std::uint32_t> PointKeys::point(const PointKey& key) const {
 }
 
 void DamagedPlate::save(plate::OutArchive& archive) const {
-  archive(memory());
-}
-
-void DamagedPlate::load(plate::InArchive& archive) {
-  BreakageCheckpoint memory;
-  archive(memory);
-  restore(memory);
-}
-
-BreakageCheckpoint DamagedPlate::memory() const {
   BreakageCheckpoint result;
   const PointKeys keys(boundary_);
   for (std::size_t number = 0; number < changed_.size(); ++number) {
@@ -60,12 +51,14 @@ BreakageCheckpoint DamagedPlate::memory() const {
   result.families = plate::gathered_archives(boundary_.map, std::move(result.families));
   for (const auto& one : going_) result.going.emplace_back(one.number, one.share);
   result.events = events_, result.breakages = breakages_, result.easing_left = easing_left_;
-  return result;
+  archive(result);
 }
 
 /// Families come in the order in which they lost their first bonds, as every process had them: of a piece of crack by
 /// their points, of single bonds by these.
-void DamagedPlate::restore(const BreakageCheckpoint& memory) {
+void DamagedPlate::load(plate::InArchive& archive) {
+  BreakageCheckpoint memory;
+  archive(memory);
   constexpr std::size_t each = 3;  // weights of a bond
   const PointKeys keys(boundary_);
   std::vector<std::pair<std::uint32_t, const DamagedFamily*>> found;

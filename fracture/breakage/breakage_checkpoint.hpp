@@ -2,13 +2,15 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "geometry/lattice/cloud.hpp"
-#include "plate/formulation/boundary.hpp"
 #include "plate/model/space.hpp"
+
+namespace plate {
+struct Boundary;
+}
 
 namespace fracture {
 

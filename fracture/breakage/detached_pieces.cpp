@@ -107,8 +107,4 @@ void DetachedPieces::before_force(const plate::Step& now) {
   growth_.before_force(now);
 }
 
-void DetachedPieces::after_force(const plate::Step& now, const plate::Forces& force) {
-  growth_.after_force(now, force);
-}
-
 }  // namespace fracture

@@ -16,7 +16,7 @@ public:
                  plate::Forces mass);
 
   void before_force(const plate::Step& now) override;
-  void after_force(const plate::Step& now, const plate::Forces& force) override;
+  void after_force(const plate::Step& now, const plate::Forces& force) override { growth_.after_force(now, force); }
 
   /// Kinetic energy that they had.
   double energy() const { return energy_; }

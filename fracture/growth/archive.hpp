@@ -1,7 +1,6 @@
 #pragma once
 #include "fracture/growth/bond_cracks.hpp"
 #include "fracture/growth/moving_cracks.hpp"
-#include "fracture/growth/record.hpp"
 #include "post/files/archive.hpp"
 
 // Serialization of growing cracks (plate/solve/archive.hpp).
@@ -24,5 +23,3 @@ template <>
 inline constexpr int plate::archived_members<fracture::LoadedBond> = 2;
 template <>
 inline constexpr int plate::archived_members<fracture::BondTip> = 4;
-template <>
-inline constexpr int plate::archived_members<fracture::Record> = 4;

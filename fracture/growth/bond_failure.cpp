@@ -175,10 +175,6 @@ double BondCheck::demand(std::uint32_t k, std::size_t i, const plate::State& sta
   return limits_.demand(energy, curvature, shear, shape.length, shape.weight * areas[k] * areas[j]);
 }
 
-std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state) {
-  return at_least(least, state, all_);
-}
-
 std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state,
                                             const std::vector<std::uint32_t>& points) {
   // first by curvature and shear alone: the longest bond, the dilatation and weights beside damage make a factor of 7

@@ -46,7 +46,7 @@ public:
 
   /// Intact bonds of the plate, or of these points of it (ascending, as suspects() has found them), with a demand of at
   /// least `least`: largest first, equal ones by their points.
-  std::vector<LoadedBond> at_least(double least, const plate::State& state);
+  std::vector<LoadedBond> at_least(double least, const plate::State& state) { return at_least(least, state, all_); }
   std::vector<LoadedBond> at_least(double least, const plate::State& state, const std::vector<std::uint32_t>& points);
   /// The largest demand of the plate.
   double largest(const plate::State& state);

@@ -43,10 +43,6 @@ std::uint32_t PointNumbers::of(std::uint32_t k) const {
   return std::uint32_t(row) * columns_ + std::uint32_t(column);
 }
 
-std::optional<std::uint32_t> PointNumbers::point(std::uint32_t number) const {
-  return index_ ? index_->at(place(number)) : number;
-}
-
 Point PointNumbers::place(std::uint32_t number) const {
   if (!index_) return boundary_.lattice[number];
   return {double(number % columns_) + 0.5, double(number / columns_) + 0.5};

@@ -1,10 +1,10 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
-#include "post/factors/srif.hpp"
 
 namespace plate {
 class Formulation;
@@ -13,7 +13,8 @@ struct Surroundings;
 
 namespace post {
 struct Peak;
-}
+struct Srif;
+}  // namespace post
 
 namespace fracture {
 
@@ -26,7 +27,7 @@ public:
 
   std::uint32_t of(std::uint32_t k) const;
   /// Local index of the point; nothing where this rank does not know it.
-  std::optional<std::uint32_t> point(std::uint32_t number) const;
+  std::optional<std::uint32_t> point(std::uint32_t number) const { return index_ ? index_->at(place(number)) : number; }
   /// [lattice units]
   geometry::Point place(std::uint32_t number) const;
 

@@ -87,23 +87,11 @@ void QuasiStaticBonds::find_state() {
   plate_.constraints().impose(state_);  // what follows other points is what they say, to the last bit: as when restored
 }
 
-/// Norm of a force as StaticOptions defines it for residuals.
-double QuasiStaticBonds::norm(const plate::Forces& force) const {
-  return plate_.norm(force, diagonal_);
-}
-
-bool QuasiStaticBonds::longest() const {
-  return growth_.reached(cracks_.length());
-}
-
 void QuasiStaticBonds::choose(const Equilibrium& state) {
   breaks_.clear();
   if (!state.ends) breaks_ = check_.at_least((1 - equal_demand) * most_, state_);
-  GrowthRow row{double(state.advance), {}, state.factor, state.displacement, {}, double(state.stable)};
-  if (std::isfinite(state.critical)) row.critical_load_factor = state.critical;
+  auto row = row_of(state);
   row.crack_length = cracks_.length(), row.tips = cracks_.tips().size(), row.broken_bonds = double(cracks_.broken());
-  row.external_work = state.ledger.external_work, row.strain_energy = state.ledger.strain;
-  row.fracture_energy = state.ledger.fracture, row.released_energy = state.ledger.released();
   record_.add(row);
   record_.cracks = cracks_.drawn();
 }

@@ -22,7 +22,7 @@ public:
 
   std::size_t advances() const override { return advances_; }
   double fracture_energy() const override { return spent_; }
-  bool longest() const override;
+  bool longest() const override { return growth_.reached(cracks_.length()); }
 
   const plate::Formulation& plate() const override { return start_; }
   const plate::State& state() const override { return state_; }
@@ -45,7 +45,8 @@ private:
   static void memory(Archive& archive, Self& self);
   std::string free_pieces() const;
   void find_state();
-  double norm(const plate::Forces& force) const;
+  /// Norm of a force as StaticOptions defines it for residuals.
+  double norm(const plate::Forces& force) const { return plate_.norm(force, diagonal_); }
 
   const Growth& growth_;
   const plate::Formulation& start_;

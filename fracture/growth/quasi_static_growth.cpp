@@ -1,6 +1,7 @@
 #include "fracture/growth/quasi_static_growth.hpp"
 
-#include "plate/formulation/formulation.hpp"
+#include <cmath>
+
 #include "plate/solve/interruption.hpp"
 
 namespace fracture {
@@ -19,8 +20,12 @@ std::optional<End> end_of(const Growth& growth, const QuasiStaticModel& model, c
 
 }  // namespace
 
-const plate::Constraints& QuasiStaticModel::constraints() const {
-  return plate().constraints();
+GrowthRow row_of(const Equilibrium& state) {
+  GrowthRow row{double(state.advance), {}, state.factor, state.displacement, {}, double(state.stable)};
+  if (std::isfinite(state.critical)) row.critical_load_factor = state.critical;
+  row.external_work = state.ledger.external_work, row.strain_energy = state.ledger.strain;
+  row.fracture_energy = state.ledger.fracture, row.released_energy = state.ledger.released();
+  return row;
 }
 
 QuasiStaticOutcome grow_quasi_statically(const Growth& growth, QuasiStaticModel& model,

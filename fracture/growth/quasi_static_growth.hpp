@@ -37,6 +37,9 @@ struct Equilibrium {
   double critical_error = 0;  // estimated, of `critical`, relative to it; infinite where not known
 };
 
+/// A row of growth.csv with what all models know of an equilibrium.
+GrowthRow row_of(const Equilibrium& state);
+
 /// Model of quasi-static growth: by tips of cracks, or by bonds that break one by one.
 class QuasiStaticModel {
 public:
@@ -56,9 +59,9 @@ public:
   virtual bool longest() const = 0;            // have cracks the largest length that was asked for?
 
   // What is seen of it.
-  virtual const plate::Formulation& plate() const = 0;               // of the last solution
-  virtual const plate::State& state() const = 0;                     // of it, under the whole load
-  virtual const plate::Constraints& constraints() const;             // of the plate
+  virtual const plate::Formulation& plate() const = 0;  // of the last solution
+  virtual const plate::State& state() const = 0;        // of it, under the whole load
+  virtual const plate::Constraints& constraints() const { return plate().constraints(); }
   virtual const plate::Operator& forces() const { return plate(); }  // as it is now
   virtual const plate::StaticSolution& solution() const = 0;         // how it was found, without its state
   /// Amount by which strain energy and work exceed those without temperatures (plate::stored()), of the last solution

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "fracture/growth/archive.hpp"
 #include "plate/model/errors.hpp"
+#include "post/files/archive.hpp"
 
 namespace fracture {
 namespace {
@@ -193,14 +193,11 @@ void QuasiStaticTips::choose(const Equilibrium& state) {
   if (state.ends) moves_.assign(plate_.tips.size(), 0);
   const auto advance = double(state.advance);
   draw_cracks(advance);
-  GrowthRow row{advance, {}, state.factor, state.displacement, {}, double(state.stable)};
-  if (std::isfinite(state.critical)) row.critical_load_factor = state.critical;
+  auto row = row_of(state);
   if (std::isfinite(state.critical) && std::isfinite(state.critical_error))
     row.critical_load_factor_error = state.critical_error;
   for (const double length : lengths()) row.crack_length += length;
   row.tips = plate_.tips.size();
-  row.external_work = state.ledger.external_work, row.strain_energy = state.ledger.strain;
-  row.fracture_energy = state.ledger.fracture, row.released_energy = state.ledger.released();
   record_.add(row);
   for (std::size_t i = 0; i < plate_.tips.size(); ++i) {
     const auto& [tip, K, G, errors, release_error] = plate_.tips[i];
@@ -258,11 +255,6 @@ bool QuasiStaticTips::break_through() {
   advanced_.clear();  // what the last advance released cannot be told from this
   ++advances_;
   return true;
-}
-
-/// Length of a piece after a turn, at least [spacings].
-double QuasiStaticTips::least_leg() const {
-  return std::max(growth_.increment, shortest_leg);
 }
 
 /// Pieces that turn are laid longer until their ends tell how they go on; where no length serves, as short as they may

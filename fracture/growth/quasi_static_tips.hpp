@@ -86,7 +86,8 @@ private:
   void calibrate();
   double calibration() const;
   bool break_through();
-  double least_leg() const;
+  /// Length of a piece after a turn, at least [spacings].
+  double least_leg() const { return std::max(growth_.increment, shortest_leg); }
   bool lay_twice(const Start& start, std::vector<double> angles, double leg, bool anyhow = false);
   void lay(const Start& start, const std::vector<double>& angles, double leg);
   bool shows_directions(const LoadedPlate& trial) const;

@@ -9,6 +9,8 @@
 
 namespace fracture {
 
+using post::cell;
+
 QuasiStaticLoad::Step QuasiStaticLoad::to(double whole, double critical, double held) {
   const bool fixed = control_ == Growth::Control::displacement, follows = control_ == Growth::Control::equilibrium;
   if (first_) most_displacement_ = whole;
@@ -33,14 +35,6 @@ void QuasiStaticLoad::go_to(double whole, double held, double factor) {
   factor_ = factor, displacement_ = displacement, held_ = factor * held;
   ledger.strain = factor * displacement / 2;
 }
-
-namespace {
-
-post::Cell cell(const std::optional<double>& value) {
-  return value ? post::Cell(*value) : post::Cell();
-}
-
-}  // namespace
 
 Record::Record() {
   growth.columns = {"advance",
@@ -71,8 +65,7 @@ void Record::add(const GrowthRow& row) {
 void Record::add(const TipRow& row) {
   tips.rows.push_back({row.advance, cell(row.time), row.tip, cell(row.crack), row.x, row.y, row.angle, cell(row.length),
                        cell(row.moves), cell(row.G), cell(row.K1), cell(row.K2), cell(row.K3), cell(row.begin),
-                       cell(row.piece), cell(row.speed), cell(row.spent),
-                       row.reached.empty() ? post::Cell() : post::Cell(row.reached)});
+                       cell(row.piece), cell(row.speed), cell(row.spent), cell(row.reached)});
 }
 
 post::Table Record::crack_table() const {

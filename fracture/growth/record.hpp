@@ -88,6 +88,11 @@ struct Record {
   post::Cracks cracks;  // with the advance, or in motion the time, at which every vertex was reached
   bool in_motion = false;
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(growth, tips, cracks, in_motion);
+  }
+
   /// The vertices of all cracks.
   post::Table crack_table() const;
   /// Places of loads and supports that cracks run through.

@@ -16,8 +16,11 @@ std::string contents(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("the table of keys in the guide is the program's") {
+  std::string table = "| key | unit | allowed | default | meaning |\n|---|---|---|---|---|\n";
+  for (const auto& key : cases::keys())
+    table += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, key.unit, key.allowed, key.standard, key.help);
   const auto guide = contents(std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases" / "keys.md");
-  CHECK_THAT(guide, Catch::Contains(cases::key_table(cases::keys())));
+  CHECK_THAT(guide, Catch::Contains(table));
 }
 
 TEST_CASE("every key is documented once") {

@@ -1,6 +1,4 @@
 // A motion that some processes have kept goes on by others, to the same tables. Kills: tests/distributed/kills.
-#include "cases/runs/motion_checkpoints.hpp"
-
 #include <mutex>
 
 #include "cases/runs/analyses.hpp"

@@ -75,7 +75,7 @@ void check(const Problem& problem) {
     std::mutex one_by_one;
     thread_ranks::run(processes, [&](const Communicator& communicator) {
       const auto plate = discretise(problem, communicator).plate;
-      const cases::OwnedMesh drawing(*plate);
+      const cases::OwnedMesh drawing(*plate, plate->mesh());
       const auto own = picture(drawing.mesh(), drawing.frame(frame_of(*plate)));
       const std::lock_guard guard(one_by_one);
       all.cells.insert(own.cells.begin(), own.cells.end());

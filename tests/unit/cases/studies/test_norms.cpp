@@ -120,8 +120,9 @@ TEST_CASE("the common range is stated: the reference shorter or longer than the 
 TEST_CASE("measures are named, relative and without sign") {
   const auto t = times(0, 3, 301);
   const auto found = cases::measures(compare(t, sine(t, -0.9, 0), t, sine(t, -1, 0)));
-  REQUIRE(found.size() == cases::measure_names().size());
-  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i].first == cases::measure_names()[i]);
+  const std::vector<std::string> names{"l2", "max", "peak", "peak_time", "shift"};
+  REQUIRE(found.size() == names.size());
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i].first == names[i]);
   for (std::size_t i = 0; i < 3; ++i) CHECK(found[i].second == Approx(0.1));
   CHECK(found[3].second == 0);
   CHECK(found[4].second == Approx(0).margin(1e-6));

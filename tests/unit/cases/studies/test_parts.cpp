@@ -1,4 +1,4 @@
-#include "cases/studies/study_run.hpp"
+#include "cases/studies/study.hpp"
 
 #include <algorithm>
 #include <random>

@@ -1,4 +1,4 @@
-#include "fracture/breakage/broken_bonds.hpp"
+#include "fracture/breakage/damaged_plate.hpp"
 
 #include <mutex>
 

@@ -1,7 +1,6 @@
 // What single bonds bear: the energy of a unit of crack.
 #include "fracture/growth/bond_failure.hpp"
 
-#include "fracture/breakage/broken_bonds.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
