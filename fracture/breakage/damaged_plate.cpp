@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
+#include <span>
 #include <tuple>
 
 #include "plate/bonds/results.hpp"
@@ -215,40 +218,90 @@ void DamagedPlate::lose(std::uint32_t k, std::size_t i, std::uint64_t place) {
   if (broken_.points() > before) first_losses_.push_back({events_, place});
 }
 
-std::optional<std::size_t> DamagedPlate::break_bonds(const geometry::CrackPath& path, bool at_back, double piece) {
+DamagedPlate::CutBonds DamagedPlate::cut_by(const CrackPiece& piece) const {
   const auto& units = boundary_.cloud.units;
-  const auto lattice = geometry::to_lattice({path}, units).front();
+  const auto lattice = geometry::to_lattice({piece.path}, units).front();
   const auto& v = lattice.vertices;
-  const geometry::Point end = at_back ? v.back() : v.front(), before = at_back ? v[v.size() - 2] : v[1];
-  const geometry::Point begin = end + std::min(1.0, piece / units.spacing / (before - end).norm()) * (before - end);
+  const geometry::Point end = piece.at_back ? v.back() : v.front(), before = piece.at_back ? v[v.size() - 2] : v[1];
+  const geometry::Point begin =
+      end + std::min(1.0, piece.length / units.spacing / (before - end).norm()) * (before - end);
   const auto cut = [&](const geometry::Point& p, const geometry::Point& q) {
     return geometry::separates(lattice, p, q);
   };
 
-  std::vector<std::pair<std::uint32_t, std::size_t>> bonds;
-  OngoingBreakage result{breakages_, {}};
+  CutBonds result;
   // a horizon beside the piece, or beside its image behind an edge that is within one
   const Eigen::AlignedBox2d near(begin.cwiseMin(end).array() - 3 * reach_, begin.cwiseMax(end).array() + 3 * reach_);
-  bool waits = false;
-  for (std::uint32_t k = 0; k < points() && !waits; ++k) {
+  for (std::uint32_t k = 0; k < points(); ++k) {
     if (!near.contains(boundary_.lattice[k]) || !known(k)) continue;
     const auto family = base_.families()[k];
-    const auto known = bonds.size();
+    const auto found = result.bonds.size();
     for (std::size_t i = 0; i < family.size(); ++i) {
       const auto j = family[i].neighbour;
-      if (!broken_.broken(k, i) && boundary_.any_image(std::min(k, j), std::max(k, j), cut)) bonds.emplace_back(k, i);
+      if (!broken_.broken(k, i) && boundary_.any_image(std::min(k, j), std::max(k, j), cut))
+        result.bonds.emplace_back(k, i);
     }
-    if (bonds.size() == known) continue;
-    const auto number = broken_.number(k);
-    waits = number >= 0 && changed_[std::size_t(number)].ongoing;
-    result.points.push_back(k);
+    if (result.bonds.size() > found) result.points.push_back(k);
   }
-  if (plate::largest_of(map(), waits) > 0) return std::nullopt;
+  return result;
+}
+
+/// Pairs of pieces that have points in common, on any rank; a piece and itself where a breakage that goes on has some
+/// of its points.
+std::vector<std::array<std::size_t, 2>> DamagedPlate::sharing(const std::vector<CutBonds>& cuts) const {
+  const auto ongoing = [&](std::uint32_t k) {
+    const auto number = broken_.number(k);
+    return number >= 0 && changed_[std::size_t(number)].ongoing;
+  };
+  std::vector<std::array<std::size_t, 2>> result;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    if (std::ranges::any_of(cuts[i].points, ongoing)) result.push_back({i, i});
+    for (std::size_t j = 0; j < i; ++j) {
+      std::vector<std::uint32_t> both;
+      std::ranges::set_intersection(cuts[j].points, cuts[i].points, std::back_inserter(both));
+      if (!both.empty()) result.push_back({j, i});
+    }
+  }
+  return plate::gathered(map(), result);
+}
+
+/// `cut`: its bonds and points in order, each once.
+std::size_t DamagedPlate::begin_breakage(CutBonds cut) {
+  OngoingBreakage result{breakages_, std::move(cut.points)};
   ++breakages_, ++events_;
-  for (const auto& [k, i] : bonds) lose(k, i, 0), change(k).ongoing = true;
+  for (const auto& [k, i] : cut.bonds) lose(k, i, 0), change(k).ongoing = true;
   for (const auto k : result.points) retarget(k);
   going_.push_back(std::move(result));
   return going_.back().number;
+}
+
+std::vector<std::optional<std::size_t>> DamagedPlate::break_bonds(const std::vector<CrackPiece>& pieces) {
+  std::vector<CutBonds> cuts;
+  for (const auto& piece : pieces) cuts.push_back(cut_by(piece));
+  std::vector<std::size_t> first(pieces.size());  // of the pieces that share points with each
+  std::iota(first.begin(), first.end(), 0);
+  const auto shared = sharing(cuts);
+  for (const auto& [i, j] : shared)
+    std::ranges::replace(first, std::max(first[i], first[j]), std::min(first[i], first[j]));
+  std::vector<char> waits(pieces.size(), 0);
+  for (const auto& [i, j] : shared)
+    if (i == j) waits[first[i]] = 1;
+  const auto add = [](auto& to, const auto& more) {
+    to.insert(to.end(), more.begin(), more.end());
+    std::ranges::sort(to);
+    to.erase(std::ranges::unique(to).begin(), to.end());
+  };
+  std::vector<std::optional<std::size_t>> result(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (first[i] != i || waits[i]) continue;
+    CutBonds all;
+    for (std::size_t j = i; j < pieces.size(); ++j)
+      if (first[j] == i) add(all.bonds, cuts[j].bonds), add(all.points, cuts[j].points);
+    const auto number = begin_breakage(std::move(all));
+    for (std::size_t j = i; j < pieces.size(); ++j)
+      if (first[j] == i) result[j] = number;
+  }
+  return result;
 }
 
 double DamagedPlate::carry_on(std::size_t number, double share, const Motion& motion) {

@@ -110,6 +110,13 @@ struct Motion {
   double time_step;              // 0: quasi-static
 };
 
+/// The last piece of a crack at one of its ends.
+struct CrackPiece {
+  geometry::CrackPath path;
+  bool at_back;
+  double length;
+};
+
 /// A plate of bonds over a horizon whose bonds break while it is loaded: the plate as it was, and what has changed
 /// since in the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds
 /// left, at once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than
@@ -139,9 +146,10 @@ public:
   /// True where this rank owns the place.
   bool here(const geometry::Point& x) const { return boundary_.here(x); }
 
-  /// Begins to break the bonds that cross the crack's last piece, which is `piece` long at the end `at_back`. Returns
-  /// the number of the breakage; none, and nothing is done, where one that goes on has families of the same points.
-  std::optional<std::size_t> break_bonds(const geometry::CrackPath& path, bool at_back, double piece);
+  /// Begins to break the bonds that cross these pieces. Pieces with families of the same points are one breakage.
+  /// Returns the number of the breakage of each piece; none, and nothing is done for it, where one that goes on has
+  /// families of the same points.
+  std::vector<std::optional<std::size_t>> break_bonds(const std::vector<CrackPiece>& pieces);
   /// Carries a breakage on to a share from 0 to 1; returns the energy that it takes, as central differences count it:
   /// mixed from the state and the one a step before (theory.md, "Growth").
   double carry_on(std::size_t number, double share, const Motion& motion);
@@ -179,10 +187,18 @@ private:
     std::vector<std::uint32_t> points;
     double share = 0;
   };
+  /// Bonds that a piece of crack cuts: point and number in its family; and these points, ascending.
+  struct CutBonds {
+    std::vector<std::pair<std::uint32_t, std::size_t>> bonds;
+    std::vector<std::uint32_t> points;
+  };
   /// Breakage in which a point lost its first bond, and its position there.
   struct FirstLoss {
     std::uint64_t event, place;
   };
+  CutBonds cut_by(const CrackPiece& piece) const;
+  std::vector<std::array<std::size_t, 2>> sharing(const std::vector<CutBonds>& cuts) const;
+  std::size_t begin_breakage(CutBonds cut);
   void lose(std::uint32_t k, std::size_t i, std::uint64_t place);
   Change& change(std::uint32_t k);
   /// The families without their broken bonds, and where they go.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <span>
 
@@ -16,6 +17,7 @@ namespace {
 constexpr double jump = 2;          // spacings that a tip may seem to go at once: it stands between points
 constexpr double static_jump = 20;  // spacings
 constexpr double speed_way = 8;     // spacings
+constexpr double equal = 1e-9;      // spacings, or of a length: what rounding leaves between mirror images
 
 bool neighbours(const geometry::Point& p, const geometry::Point& q) {
   return std::abs((p - q).norm() - 1) < 0.01;
@@ -158,32 +160,62 @@ double BondCracks::length() const {
   return sum;
 }
 
-/// The nearest tip of the last look that no other has come from, moved on; or a new one.
-BondTip BondCracks::seen_again(const geometry::Tip& tip, double time, std::vector<char>& taken) {
-  double least = fastest_ ? jump * units_.spacing + *fastest_ * (time - time_) : static_jump * units_.spacing;
-  std::size_t same = tips_.size();
-  for (std::size_t i = 0; i < tips_.size(); ++i)
-    if (const double away = (tips_[i].tip.position - tip.position).norm(); !taken[i] && away <= least)
-      least = away, same = i;
-  if (same == tips_.size()) return {seen_++, tip, 0, {{time, tip.position}}};
-  taken[same] = 1;
-  BondTip result = tips_[same];
-  result.tip = tip;
+/// Finds for each tip the nearest one of the last look that no other has come from, nearest pairs first. Where several
+/// are equally near, as mirror images are, none of them is the same.
+std::vector<BondCracks::Origin> BondCracks::origins(const std::vector<geometry::Tip>& tips, double time) const {
+  struct Pair {
+    double away;
+    std::size_t tip, earlier;
+  };
+  const double farthest = fastest_ ? jump * units_.spacing + *fastest_ * (time - time_) : static_jump * units_.spacing;
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < tips.size(); ++i)
+    for (std::size_t j = 0; j < tips_.size(); ++j)
+      if (const double away = (tips_[j].tip.position - tips[i].position).norm();
+          away <= farthest + equal * units_.spacing)
+        pairs.push_back({away, i, j});
+  std::ranges::sort(pairs, {}, &Pair::away);
+  std::vector<Origin> result(tips.size());
+  std::vector<char> found(tips.size(), 0), taken(tips_.size(), 0);
+  for (auto begin = pairs.begin(); begin != pairs.end();) {
+    const auto end = std::find_if(begin, pairs.end(), [&, least = begin->away](const Pair& pair) {
+      return pair.away > least + equal * units_.spacing;
+    });
+    std::vector<Pair> free;
+    std::copy_if(begin, end, std::back_inserter(free),
+                 [&](const Pair& pair) { return !found[pair.tip] && !taken[pair.earlier]; });
+    for (const auto& [away, tip, earlier] : free) {
+      const auto ways = std::ranges::count(free, tip, &Pair::tip),
+                 heirs = std::ranges::count(free, earlier, &Pair::earlier);
+      if (ways == 1) result[tip] = {earlier, heirs == 1};
+      found[tip] = taken[earlier] = 1;
+    }
+    begin = end;
+  }
+  return result;
+}
+
+/// A tip as it is seen now, with the way that it has come.
+BondTip BondCracks::seen_again(const geometry::Tip& tip, const Origin& origin, double time) {
+  BondTip result{0, tip};
+  if (origin.earlier) result = tips_[*origin.earlier], result.tip = tip;
+  if (!origin.same) result.number = seen_++;
   const auto far = [&](const auto& place) {
-    return (place.second - tip.position).norm() >= speed_way * units_.spacing;
+    return (place.second - tip.position).norm() >= speed_way * units_.spacing * (1 - equal);
   };
   while (result.way.size() > 1 && far(result.way[1])) result.way.pop_front();
-  const auto& [then, there] = result.way.front();
-  if (time > then && far(result.way.front())) result.speed = (tip.position - there).norm() / (time - then);
+  if (!result.way.empty() && time > result.way.front().first && far(result.way.front()))
+    result.speed = (tip.position - result.way.front().second).norm() / (time - result.way.front().first);
   result.way.emplace_back(time, tip.position);
   return result;
 }
 
 void BondCracks::look(double time, Record& record, double advance) {
   find_lines();
+  const auto tips = geometry::tips(paths());
+  const auto from = origins(tips, time);
   std::vector<BondTip> found;
-  std::vector<char> taken(tips_.size(), 0);
-  for (const auto& tip : geometry::tips(paths())) found.push_back(seen_again(tip, time, taken));
+  for (std::size_t i = 0; i < tips.size(); ++i) found.push_back(seen_again(tips[i], from[i], time));
   tips_ = std::move(found);
   time_ = time;
   for (const auto& one : tips_) {

@@ -56,7 +56,13 @@ public:
 private:
   void find_lines();
 
-  BondTip seen_again(const geometry::Tip& tip, double time, std::vector<char>& taken);
+  /// Tip of the last look that a tip has come from; `same`: no other has come from it as well.
+  struct Origin {
+    std::optional<std::size_t> earlier = {};
+    bool same = false;
+  };
+  std::vector<Origin> origins(const std::vector<geometry::Tip>& tips, double time) const;
+  BondTip seen_again(const geometry::Tip& tip, const Origin& origin, double time);
 
   const geometry::LatticeUnits& units_;
   std::vector<geometry::CrackPath> given_;

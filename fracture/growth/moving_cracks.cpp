@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
@@ -20,6 +21,7 @@ constexpr double look_after = 5;    // spacings gone without a look at the direc
 constexpr double settled_after = 10,
                  steady_length = 5;                    // spacings: a tip's speed is steady, and is judged over these
 constexpr double least_taken = 0.6, most_taken = 1.6;  // of the fracture energy, of a tip whose speed is resolved
+constexpr double equal_time = 1e-9;                    // of the time that a piece takes, the same
 constexpr double alike = 1e-6;                         // of energies: what rounding leaves between mirror images
 
 std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>& paths) {
@@ -96,20 +98,62 @@ bool MovingCracks::finds_direction(std::size_t tip, const TipMeasurement& seen, 
   return false;
 }
 
-/// Every tip sees the cracks as they are before any of them goes on.
-void MovingCracks::depart(const std::vector<Departure>& departures) {
+/// Ways of tips that go on together: every tip sees the cracks as they are before any of them does. A tip that stands
+/// on what it would reach ends there, and has none.
+std::vector<std::optional<TipAdvance>> MovingCracks::ways_of(const std::vector<Departure>& departures) {
   const auto before = polylines(paths_);
+  std::vector<geometry::Tip> tips;
+  std::vector<std::optional<TipAdvance>> result;
   for (const auto& [number, angle, time] : departures) {
-    auto& tip = tips_[number];
-    const auto way = advance(growth_, problem_.outline, before, spacing_, tip.tip, angle, turns(angle));
-    auto path = paths_[tip.tip.crack];
-    geometry::extend(path.vertices, tip.tip.at_back, way.to);
-    if (way.reached)
-      (tip.tip.at_back ? path.back : path.front) = way.reached->crack ? geometry::End::junction : geometry::End::mouth;
-    const auto breakage = plate_.break_bonds(path, tip.tip.at_back, way.length);
-    if (!breakage) continue;  // another tip breaks bonds of the same points: wait for it
-    paths_[tip.tip.crack] = std::move(path);
-    tip.running = Running{*breakage, time, way.length / tip.speed, way.length, 0, tip.tip.position, way};
+    tips.push_back(tips_[number].tip);
+    result.push_back(advance(growth_, problem_.outline, before, spacing_, tips.back(), angle, turns(angle)));
+  }
+  meet(tips, result);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (!touches_at_once(*result[i], spacing_)) continue;
+    const auto number = departures[i].tip;
+    tips_[number].ended = true;
+    const auto last =
+        std::find_if(pieces_.rbegin(), pieces_.rend(), [&](const auto& one) { return one.tip == number; });
+    if (last != pieces_.rend()) last->reached = name_of(*result[i]->reached);
+    result[i].reset();
+  }
+  return result;
+}
+
+/// Tips whose pieces break bonds of the same points go on at the same share of them. A tip waits where a piece that
+/// goes on breaks such bonds.
+void MovingCracks::depart(const std::vector<Departure>& departures) {
+  if (departures.empty()) return;
+  const auto ways = ways_of(departures);
+  std::vector<CrackPiece> pieces;
+  std::vector<std::size_t> going;
+  for (std::size_t i = 0; i < departures.size(); ++i) {
+    if (!ways[i]) continue;
+    const auto& tip = tips_[departures[i].tip].tip;
+    auto path = paths_[tip.crack];
+    geometry::extend(path.vertices, tip.at_back, ways[i]->to);
+    if (const auto& reached = ways[i]->reached)
+      (tip.at_back ? path.back : path.front) = reached->crack ? geometry::End::junction : geometry::End::mouth;
+    pieces.push_back({std::move(path), tip.at_back, ways[i]->length});
+    going.push_back(i);
+  }
+  const auto breakages = plate_.break_bonds(pieces);
+  for (std::size_t n = 0; n < going.size(); ++n) {
+    if (!breakages[n]) continue;
+    double begin = 0, duration = 0;  // of all that go on with it
+    for (std::size_t m = 0; m < going.size(); ++m)
+      if (breakages[m] == breakages[n]) {
+        begin = std::max(begin, departures[going[m]].time);
+        duration = std::max(duration, pieces[m].length / tips_[departures[going[m]].tip].speed);
+      }
+    const auto& way = *ways[going[n]];
+    auto& tip = tips_[departures[going[n]].tip];
+    auto& vertices = paths_[tip.tip.crack].vertices;
+    geometry::extend(vertices, tip.tip.at_back, way.to);
+    (tip.tip.at_back ? paths_[tip.tip.crack].back : paths_[tip.tip.crack].front) =
+        tip.tip.at_back ? pieces[n].path.back : pieces[n].path.front;
+    tip.running = Running{*breakages[n], begin, duration, way.length, 0, tip.tip.position, way};
     tip.tip.direction = (way.to - tip.tip.position).normalized();
     tip.tip.position = way.to;
     tip.since_look += way.length;
@@ -159,23 +203,29 @@ bool MovingCracks::arrive(MovingTip& tip, const plate::Step& now) {
   tip.speed = std::clamp(tip.speed * std::pow(lately, gain) * std::pow(all, gain_of_all), least_speed * speed_limit_,
                          speed_limit_);
   const bool straight = growth_.direction == Growth::Direction::straight || tip.since_look < look_after * spacing_;
-  return lately >= 1 - alike && straight && !stays(tip, toughness_, 1);
+  return lately >= 1 - alike && straight;
 }
 
 void MovingCracks::before_force(const plate::Step& now) {
   if (std::ranges::any_of(tips_, [](const auto& tip) { return tip.running.has_value(); }))
     plate_.constraints().fetch(now.velocity);
+  std::map<std::size_t, double> lengths, spent;  // by breakage: of its pieces, and the energy of this step
+  for (const auto& tip : tips_)
+    if (tip.running) lengths[tip.running->breakage] += tip.running->length;
   std::vector<Departure> departures;
   for (std::size_t i = 0; i < tips_.size(); ++i) {
     auto& tip = tips_[i];
     if (!tip.running) continue;
     auto& running = *tip.running;
-    const double share = std::min(1.0, (now.time - running.begin) / running.duration);
-    const double spent = plate_.carry_on(running.breakage, share, {now.state, now.velocity, now.time_step});
-    running.spent += spent, spent_ += spent;
+    const double gone = (now.time - running.begin) / running.duration, share = gone < 1 - equal_time ? gone : 1;
+    if (!spent.contains(running.breakage))
+      spent[running.breakage] = plate_.carry_on(running.breakage, share, {now.state, now.velocity, now.time_step});
+    const double own = spent[running.breakage] * (running.length / lengths[running.breakage]);
+    running.spent += own, spent_ += own;
     const double end = running.begin + running.duration;
     if (share >= 1 && arrive(tip, now)) departures.push_back({i, 0, end});
   }
+  std::erase_if(departures, [&](const auto& one) { return stays(tips_[one.tip], toughness_, 1); });
   depart(departures);
 }
 

@@ -115,10 +115,11 @@ private:
   std::shared_ptr<const post::TipMethods> gauge(const geometry::Tip& tip) const;
   bool stays(const MovingTip& tip, double G, double K1) const;
   bool finds_direction(std::size_t tip, const TipMeasurement& seen, double time, double& angle);
+  std::vector<std::optional<TipAdvance>> ways_of(const std::vector<Departure>& departures);
   void depart(const std::vector<Departure>& departures);
   /// Energy over the fracture energy of its last five spacings.
   double taken_lately(std::size_t tip) const;
-  /// Ends the advance of a tip; returns true where the tip goes straight on.
+  /// Ends the advance of a tip; returns true where the tip may go straight on.
   bool arrive(MovingTip& tip, const plate::Step& now);
 
   const Growth& growth_;

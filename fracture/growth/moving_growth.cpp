@@ -77,6 +77,7 @@ namespace {
 constexpr std::size_t search_every = 4;  // steps
 constexpr unsigned steps_to_break = 4;
 constexpr double equal_in_motion = 1e-6;  // of the demand: mirror images break together
+constexpr double rounding = 1e-9;         // of the limit: one of them just below it breaks with one at it
 
 }  // namespace
 
@@ -111,8 +112,9 @@ void BreakingBonds::after_force(const plate::Step& now, const plate::Forces&) {
     next_search_ = now.step + search_every;
   }
   if (!suspected_) return;
-  const auto broken = first_to_break(check_.at_least(1, now.state, suspects_));
-  if (broken.empty()) return;
+  const auto failing = check_.at_least(1 - rounding, now.state, suspects_);
+  if (failing.empty() || failing.front().demand < 1) return;
+  const auto broken = first_to_break(failing);
   plate_.break_bonds(check_.here(broken), steps_to_break);
   ended_ = !observe_(broken, now.time);
 }
@@ -181,12 +183,18 @@ const Record& MovingTips::record() {
     record_.cracks.lines.push_back({path.vertices, std::vector<double>(path.vertices.size(), 0)});
     length += geometry::length(path.vertices);
   }
-  for (std::size_t i = 0; i < cracks_.pieces().size(); ++i) {
-    const auto& piece = cracks_.pieces()[i];
-    const geometry::Point step = piece.to - piece.from;
+  const auto add = [&](const Piece& piece) {
     auto& [vertices, times] = record_.cracks.lines[piece.crack];
     vertices.insert(piece.at_back ? vertices.end() : vertices.begin(), piece.to);
     times.insert(piece.at_back ? times.end() : times.begin(), piece.end);
+  };
+  std::size_t drawn = 0;  // pieces; those that end at once go together
+  for (std::size_t i = 0; i < cracks_.pieces().size(); ++i) {
+    const auto& piece = cracks_.pieces()[i];
+    const geometry::Point step = piece.to - piece.from;
+    for (; drawn < cracks_.pieces().size() && cracks_.pieces()[drawn].end == piece.end; ++drawn)
+      add(cracks_.pieces()[drawn]);
+    const auto& vertices = record_.cracks.lines[piece.crack].vertices;
     TipRow tip{double(i), piece.end, double(piece.tip), double(piece.crack), piece.to.x(), piece.to.y()};
     tip.angle = std::atan2(step.y(), step.x()) * 180 / std::numbers::pi;
     tip.length = geometry::length(vertices);

@@ -250,7 +250,7 @@ bool QuasiStaticTips::break_through() {
     if (auto way = way_through(cracks_, one.tip)) tips.push_back(one.tip), ways.push_back(std::move(way));
   }
   if (tips.empty()) return false;
-  meet_halfway(tips, ways);
+  meet(tips, ways);
   for (std::size_t i = 0; i < tips.size(); ++i) extend(tips[i], *ways[i]);
   advanced_.clear();  // what the last advance released cannot be told from this
   ++advances_;
@@ -320,7 +320,7 @@ void QuasiStaticTips::lay(const Start& start, const std::vector<double>& angles,
     if (moves_[i])
       ways[i] = fracture::advance(growth_, outline_, start.cracks, spacing_, tips[i], angles[i], long_leg, leg);
   }
-  meet_halfway(tips, ways);
+  meet(tips, ways);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (!ways[i]) continue;
     extend(tips[i], *ways[i]);
@@ -375,6 +375,7 @@ bool QuasiStaticTips::correct(const LoadedPlate& trial, std::vector<double>& ang
 }
 
 void QuasiStaticTips::extend(const geometry::Tip& tip, const TipAdvance& step) {
+  if (touches_at_once(step, spacing_)) return;
   geometry::extend(cracks_[tip.crack], tip.at_back, step.to);
   fracture_ += toughness_ * step.length;
 }

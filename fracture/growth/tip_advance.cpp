@@ -6,6 +6,8 @@
 #include <functional>
 #include <numbers>
 
+#include "geometry/shape/predicates.hpp"
+
 namespace fracture {
 namespace {
 
@@ -112,6 +114,8 @@ namespace {
 
 constexpr double widest_gap = 7;   // spacings: more than the smallest ring needs
 constexpr double small_turns = 5;  // times smaller, beside the long leg of another tip
+constexpr double beside = 0.5;     // spacings: no points fit between cracks that are nearer
+constexpr double touches = 1e-6;   // spacings: a way that is shorter is none
 
 }  // namespace
 
@@ -124,7 +128,7 @@ TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
   const double least = (long_leg ? std::max(growth.increment, shortest_leg) : growth.increment) * spacing;
   double step = long_leg ? std::max(least, leg * spacing) : least;
   const double room = shortest_leg * spacing;
-  if (const auto ahead = geometry::obstacle_ahead(outline, cracks, tip, direction, step + room)) {
+  if (const auto ahead = geometry::obstacle_ahead(outline, cracks, tip, direction, step + room, beside * spacing)) {
     if (ahead->distance <= least + room) return {ahead->position, ahead->distance, ahead};
     step = ahead->distance - room;
   }
@@ -137,19 +141,59 @@ std::optional<TipAdvance> break_through(const geometry::Outline& outline, const 
   return nearest ? std::optional(TipAdvance{nearest->position, nearest->distance, nearest}) : std::nullopt;
 }
 
-void meet_halfway(const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways) {
-  const auto reaches = [&](std::size_t i, std::size_t j) {
-    return ways[i] && ways[i]->reached && (ways[i]->to - tips[j].position).norm() <= 1e-9 * ways[i]->length;
+namespace {
+
+using geometry::Point;
+
+/// Ends a way at a place on it or near it, where another crack ends too.
+void end_at(TipAdvance& way, const geometry::Tip& from, const Point& place, std::size_t crack) {
+  way.to = place, way.length = (place - from.position).norm();
+  way.reached = geometry::Obstacle{way.length, place, "", crack};
+}
+
+/// Place where two ways meet: halfway between tips that reach each other, as none is before the other, or else where
+/// the ways cross.
+std::optional<Point> meeting(const geometry::Tip& tip, const TipAdvance& way, const geometry::Tip& other,
+                             const TipAdvance& its) {
+  const auto reaches = [](const TipAdvance& one, const geometry::Tip& end) {
+    return one.reached && (one.to - end.position).norm() <= 1e-9 * one.length;
   };
+  if (reaches(way, other) && reaches(its, tip)) return (tip.position + other.position) / 2;
+  const Point step = way.to - tip.position, its_step = its.to - other.position, apart = other.position - tip.position;
+  const double turn = geometry::cross(step, its_step);
+  if (std::abs(turn) <= 1e-9 * way.length * its.length) return std::nullopt;
+  const double share = geometry::cross(apart, its_step) / turn, its_share = geometry::cross(apart, step) / turn;
+  constexpr double rounding = 1e-9;
+  if (std::min(share, its_share) < -rounding || std::max(share, its_share) > 1 + rounding) return std::nullopt;
+  return (tip.position + share * step + other.position + its_share * its_step) / 2;
+}
+
+}  // namespace
+
+void meet(const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways) {
+  struct Meeting {
+    double gone;  // by both
+    std::size_t i, j;
+    Point place;
+  };
+  const auto distance = [&](std::size_t i, const Point& place) { return (place - tips[i].position).norm(); };
+  std::vector<Meeting> found;
   for (std::size_t i = 0; i < tips.size(); ++i)
-    for (std::size_t j = i + 1; j < tips.size(); ++j) {
-      if (!reaches(i, j) || !reaches(j, i)) continue;
-      const geometry::Point middle = (tips[i].position + tips[j].position) / 2;
-      for (auto* way : {&*ways[i], &*ways[j]}) {
-        way->to = middle, way->length /= 2;
-        way->reached->position = middle, way->reached->distance = way->length;
-      }
-    }
+    for (std::size_t j = i + 1; j < tips.size(); ++j)
+      if (ways[i] && ways[j])
+        if (const auto place = meeting(tips[i], *ways[i], tips[j], *ways[j]))
+          found.push_back({distance(i, *place) + distance(j, *place), i, j, *place});
+  std::ranges::stable_sort(found, {}, &Meeting::gone);
+  for (const auto& [gone, i, j, place] : found) {  // a tip that has ended before meets none any more
+    constexpr double rounding = 1e-9;
+    if (distance(i, place) > ways[i]->length * (1 + rounding) || distance(j, place) > ways[j]->length * (1 + rounding))
+      continue;
+    end_at(*ways[i], tips[i], place, tips[j].crack), end_at(*ways[j], tips[j], place, tips[i].crack);
+  }
+}
+
+bool touches_at_once(const TipAdvance& way, double spacing) {
+  return way.reached && way.length <= touches * spacing;
 }
 
 std::string name_of(const geometry::Obstacle& obstacle) {

@@ -58,8 +58,9 @@ inline constexpr double shortest_leg = 5;
 /// Straight on by the increment, or with a turn by `angle` [rad]. Turns below a degree are not made; a piece after a
 /// turn is at least five spacings long, so that a ring about its tip fits beside the bend. So is one that goes with
 /// such a piece of another tip (`long_leg`), and then turns from a fifth of a degree on are made: alike tips stay
-/// alike. A tip that would come closer than that to something ahead breaks through to it. `leg`: asked for in the
-/// place of the five spacings, as far as what is ahead leaves room.
+/// alike. A tip that would come closer than that to something ahead breaks through to it, and to another crack that it
+/// would pass at less than half a spacing. `leg`: asked for in the place of the five spacings, as far as what is ahead
+/// leaves room.
 TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
                    const std::vector<geometry::Polyline>& cracks, double spacing, const geometry::Tip& tip,
                    double angle, bool long_leg, double leg = shortest_leg);
@@ -69,8 +70,12 @@ TipAdvance advance(const Growth& growth, const geometry::Outline& outline,
 std::optional<TipAdvance> break_through(const geometry::Outline& outline, const std::vector<geometry::Polyline>& cracks,
                                         double spacing, const geometry::Tip& tip);
 
-/// Lets tips that have reached each other's meet halfway, as none is before the other.
-void meet_halfway(const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways);
+/// Ends the ways of tips that meet where they do, whatever the order of the tips: halfway where two have reached each
+/// other's tip, as none is before the other; else where two ways cross.
+void meet(const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways);
+
+/// True for a tip that stands on what it reaches: it has no way to go.
+bool touches_at_once(const TipAdvance& way, double spacing);
 
 /// "crack 1"; of an edge or a hole its name, "'left'"
 std::string name_of(const geometry::Obstacle& obstacle);

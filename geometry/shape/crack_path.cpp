@@ -277,8 +277,38 @@ void for_each_segment(const std::vector<Polyline>& cracks, const Tip& tip, const
 
 }  // namespace
 
+namespace {
+
+/// The place where the ray from a tip first comes nearer than `beside` to one of the cracks that it misses: at its
+/// beginning what lies ahead or beside, then a vertex. None between two that are equally far, as mirror images are.
+std::optional<Obstacle> passed(const std::vector<Polyline>& cracks, const std::vector<char>& missed, const Tip& tip,
+                               double reach, double beside) {
+  const double equal = 1e-9 * (reach + beside);  // what rounding leaves between mirror images
+  std::optional<Obstacle> first;
+  bool two = false;
+  const auto take = [&](const Point& x, std::size_t crack) {
+    const double away = (x - tip.position).norm();
+    if (away > (first ? first->distance + equal : reach)) return;
+    const bool nearer = !first || away < first->distance - equal;
+    two = !nearer && (two || (x - first->position).norm() > equal);
+    if (nearer) first = {away, x, "", crack};
+  };
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    if (!missed[c]) continue;
+    for (const Point& v : cracks[c])
+      if (tip.direction.dot(v - tip.position) > 0 && std::abs(cross(tip.direction, v - tip.position)) < beside)
+        take(v, c);
+    for (std::size_t i = 1; i < cracks[c].size(); ++i)
+      if (const auto x = nearest_ahead(cracks[c][i - 1], cracks[c][i], tip); x && (*x - tip.position).norm() < beside)
+        take(*x, c);
+  }
+  return two ? std::nullopt : first;
+}
+
+}  // namespace
+
 std::optional<Obstacle> obstacle_ahead(const Outline& outline, const std::vector<Polyline>& cracks, const Tip& tip,
-                                       const Point& direction, double reach) {
+                                       const Point& direction, double reach, double beside) {
   std::optional<Obstacle> first;
   const auto take = [&](std::optional<double> found, const std::string& name, std::optional<std::size_t> crack) {
     if (found && *found <= reach && (!first || *found < first->distance))
@@ -287,9 +317,15 @@ std::optional<Obstacle> obstacle_ahead(const Outline& outline, const std::vector
   for (const auto& edge : straight_edges(outline))
     take(hit(tip.position, direction, edge.from, edge.to), edge.name, {});
   for (const Circle& circle : circles(outline)) take(hit(tip.position, direction, circle), circle.name, {});
+  std::vector<char> missed(cracks.size(), beside > 0);
+  if (tip.crack < cracks.size()) missed[tip.crack] = 0;
   for_each_segment(cracks, tip, [&](std::size_t c, const Point& a, const Point& b) {
-    take(hit(tip.position, direction, a, b), "", c);
+    const auto found = hit(tip.position, direction, a, b);
+    if (found && *found <= reach) missed[c] = 0;
+    take(found, "", c);
   });
+  if (const auto near = passed(cracks, missed, {tip.position, direction, tip.crack, tip.at_back}, reach, beside))
+    if (!first || near->distance < first->distance) first = near;
   return first;
 }
 

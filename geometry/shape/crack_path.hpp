@@ -57,9 +57,10 @@ struct Obstacle {
 };
 
 /// The first edge, hole or crack on the segment of length `reach` from the tip along the unit vector `direction`, its
-/// own crack among them.
+/// own crack among them. Another crack that the segment misses by less than `beside` counts where the tip is that near
+/// to it, or else where a vertex of it is; none of two that are equally far.
 std::optional<Obstacle> obstacle_ahead(const Outline& outline, const std::vector<Polyline>& cracks, const Tip& tip,
-                                       const Point& direction, double reach);
+                                       const Point& direction, double reach, double beside = 0);
 
 /// The point of edges, holes and other cracks that is nearest to the tip in the half plane ahead of it, within `reach`
 /// [length]. What lies behind a tip, a crack that has met its own among it, is nothing that it can reach.

@@ -21,6 +21,10 @@ std::unique_ptr<plate::Formulation> cracked(const geometry::Polyline& crack) {
 
 const plate::FamilyRule rule(vp::section, vp::square(0.1).discretization);
 
+std::optional<std::size_t> broken(DamagedPlate& plate, const geometry::CrackPath& path, double piece) {
+  return plate.break_bonds({{path, true, piece}}).at(0);
+}
+
 double largest(const plate::Forces& forces) {
   return forces.cwiseAbs().maxCoeff();
 }
@@ -68,9 +72,9 @@ TEST_CASE(
 
     damaged.internal_force(u, whole);
     CHECK((whole.array() == old.array()).all());  // nothing has happened
-    const auto number = damaged.break_bonds(after->paths()[0], true, piece);
+    const auto number = broken(damaged, after->paths()[0], piece);
     REQUIRE(number);
-    CHECK(damaged.break_bonds(after->paths()[0], true, piece) ==
+    CHECK(broken(damaged, after->paths()[0], piece) ==
           std::optional<std::size_t>(*number + 1));  // nothing is left to cut
     const plate::State rest = plate::State::Zero(3, u.cols());
     const double drop = (before->strain_energy(u) - after->strain_energy(u));
@@ -90,13 +94,33 @@ TEST_CASE("severed plate: a piece through points of a severing that goes on has 
   DamagedPlate damaged(*a->breaking(), a->boundary(), rule);
   auto path = a->paths()[0];
   path.vertices.back() = {-0.15, -0.25};
-  const auto number = damaged.break_bonds(path, true, 0.2);
+  const auto number = broken(damaged, path, 0.2);
   REQUIRE(number);
   path.vertices.back() = {0.05, -0.25};
-  CHECK_FALSE(damaged.break_bonds(path, true, 0.2));
+  CHECK_FALSE(broken(damaged, path, 0.2));
   const auto u = vp::random_state(*a, 4);
   damaged.carry_on(*number, 1, {u, u, 0});
-  CHECK(damaged.break_bonds(path, true, 0.2));
+  CHECK(broken(damaged, path, 0.2));
+}
+
+TEST_CASE("severed plate: pieces that share points are one breakage, whichever comes first, and others are not") {
+  const auto a = cracked({{-1, -0.25}, {-0.35, -0.25}});
+  const auto piece = [](double x, double y) {
+    return CrackPiece{{{{x, y}, {x + 0.2, y}}, geometry::End::tip, geometry::End::tip}, true, 0.2};
+  };
+  const std::vector<CrackPiece> pieces{piece(-0.35, -0.25), piece(0.45, 0.65), piece(-0.05, -0.15)};
+  DamagedPlate damaged(*a->breaking(), a->boundary(), rule), turned(*a->breaking(), a->boundary(), rule);
+  const auto numbers = damaged.break_bonds(pieces);
+  REQUIRE((numbers[0] && numbers[1]));
+  CHECK(numbers[0] == numbers[2]);
+  CHECK(numbers[0] != numbers[1]);
+  CHECK(turned.break_bonds({pieces.rbegin(), pieces.rend()})[0] == std::optional<std::size_t>(0));
+  const auto u = vp::random_state(*a, 5);
+  plate::Forces found, other;
+  for (auto* one : {&damaged, &turned})
+    for (const std::size_t number : {0, 1}) one->carry_on(number, 1, {u, u, 0});
+  damaged.internal_force(u, found), turned.internal_force(u, other);
+  CHECK(largest(found - other) < 1e-12 * largest(found));
 }
 
 TEST_CASE("severed plate: with every surface correction it becomes the plate with the longer crack") {
@@ -114,7 +138,7 @@ TEST_CASE("severed plate: with every surface correction it becomes the plate wit
     const auto before = vp::assembled(first), after = vp::assembled(with({{-1, -0.25}, {0.25, -0.25}}));
     DamagedPlate damaged(*before->breaking(), before->boundary(), {first.section, first.discretization});
     const auto u = vp::random_state(*before, 6);
-    const auto number = damaged.break_bonds(after->paths()[0], true, 0.6);
+    const auto number = broken(damaged, after->paths()[0], 0.6);
     REQUIRE(number);
     damaged.carry_on(*number, 1, {u, u, 0});
     plate::Forces found, wanted;

@@ -65,6 +65,24 @@ TEST_CASE("bond cracks: a tip keeps its number, and has a speed once it has gone
   CHECK(cracks.tips_of_cracks().size() == 1);
 }
 
+TEST_CASE("bond cracks: where a crack forks evenly, both branches are new, and both have come the same way") {
+  Scene s;
+  BondCracks cracks(*s.plate, 10.0);
+  cracks.look(0, s.record, 0);
+  for (int i = 0; i < 10; ++i) cracks.broke({s.across(-0.45 + 0.1 * i)}, 1);
+  cracks.look(1, s.record, 1);
+  const auto aside = [&](double y) { return LoadedBond{{s.at(0.45, y), s.at(0.55, y)}, 1}; };
+  for (const double y : {0.05, 0.15, 0.25, -0.05, -0.15, -0.25}) cracks.broke({aside(y)}, 2);
+  cracks.look(2, s.record, 2);
+  REQUIRE(cracks.tips().size() == 2);
+  for (const auto& tip : cracks.tips()) {
+    CHECK(tip.number > 0);
+    CHECK(tip.speed == Approx(std::hypot(1, 0.3) / 2));
+    CHECK((tip.tip.position - Point(0.5, tip.tip.position.y() > 0 ? 0.3 : -0.3)).norm() < 1e-12);
+  }
+  CHECK(cracks.tips()[0].number != cracks.tips()[1].number);
+}
+
 TEST_CASE("bond cracks: a new crack has tips of new numbers, short ones are no cracks whose factors mean something") {
   Scene s;
   BondCracks cracks(*s.plate);

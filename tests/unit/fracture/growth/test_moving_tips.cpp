@@ -43,6 +43,27 @@ TEST_CASE("moving tips: below its fracture energy a tip stays, and its plate is 
   CHECK(energies.energy == Approx(energies.work));
 }
 
+TEST_CASE("moving tips: two that run at each other at less than half a spacing meet halfway, alike") {
+  auto c = mp::content(Growth::Criterion::energy_release);
+  c.discretization.spacing = 0.05;
+  c.growth->fracture_energy = 100;
+  c.cracks = {{{-0.8, 0.01}, {-0.3, 0.01}}, {{0.3, -0.01}, {0.8, -0.01}}};  // turned by half a turn, alike
+  const mp::Motion motion(c);
+  MovingTips growth(*motion.c.growth, *motion.start, {}, 1);
+  const auto energies = motion.move(growth, 400);
+  CHECK(energies.energy + growth.fracture_energy() == Approx(energies.work).epsilon(1e-9));
+  const auto& lines = growth.record().cracks.lines;
+  REQUIRE(lines[0].vertices.size() == lines[1].vertices.size());
+  const auto& first = lines[0].vertices;
+  const auto& second = lines[1].vertices;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    CHECK((first[i] + second[second.size() - 1 - i]).norm() < 1e-6 * 0.05);
+    CHECK(lines[0].advances[i] == Approx(lines[1].advances[second.size() - 1 - i]));
+  }
+  CHECK(first.back().norm() < 1e-6 * 0.05);
+  CHECK(growth.outcome().reached == std::vector<std::string>{"crack 1", "crack 0"});
+}
+
 TEST_CASE("moving tips: one that goes on from memory grows as if it had never stopped") {
   const mp::Motion motion(mp::content(Growth::Criterion::energy_release));
   MovingTips whole(*motion.c.growth, *motion.start, {}, 1), later(*motion.c.growth, *motion.start, {}, 1);

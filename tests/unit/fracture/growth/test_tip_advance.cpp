@@ -84,11 +84,56 @@ TEST_CASE("tip advance: tips that run at each other meet halfway") {
   REQUIRE((ways[0]->reached && ways[0]->reached->crack == std::size_t(1)));  // though it lies along its way
   auto one = ways;
   one[1].reset();
-  meet_halfway(tips, one);
+  meet(tips, one);
   CHECK((one[0]->to - Point(4.6, 3)).norm() < 1e-12);  // the other stays
-  meet_halfway(tips, ways);
+  meet(tips, ways);
   for (const auto& way : ways) {
     CHECK((way->to - Point(4.3, 3)).norm() < 1e-12);
     CHECK(way->length == Approx(0.3));
   }
+}
+
+TEST_CASE("tip advance: ways that cross end there, whichever tip is the first") {
+  // mirror images about x = 5, which meet at (5, 3)
+  const std::vector<geometry::Polyline> slanted{{{4, 4}, {4.95, 3.05}}, {{6, 4}, {5.05, 3.05}}};
+  const double diagonal = std::numbers::sqrt2 / 2;
+  const geometry::Tip left{{4.95, 3.05}, {diagonal, -diagonal}, 0, true},
+      right{{5.05, 3.05}, {-diagonal, -diagonal}, 1, true};
+  for (const auto& tips : {std::vector{left, right}, {right, left}}) {
+    std::vector<std::optional<TipAdvance>> ways;
+    for (const auto& one : tips) ways.push_back(advance({}, outline, slanted, spacing, one, 0, false));
+    CHECK_FALSE(ways[0]->reached);
+    meet(tips, ways);
+    for (std::size_t i = 0; i < 2; ++i) {
+      CHECK((ways[i]->to - Point(5, 3)).norm() < 1e-12);
+      CHECK(ways[i]->length == Approx(0.05 / diagonal));
+      REQUIRE(ways[i]->reached);
+      CHECK(ways[i]->reached->crack == tips[1 - i].crack);
+    }
+  }
+}
+
+TEST_CASE("tip advance: another crack that a tip would pass at less than half a spacing is reached") {
+  const auto beside = [](double y) {
+    const std::vector<geometry::Polyline> two{{{0, 3}, {4, 3}}, {{4.3, 3 + y}, {9, 3 + y}}};
+    return advance({}, outline, two, spacing, tip, 0, false);
+  };
+  for (const double y : {0.049, -0.049, 0.0005}) {
+    const auto way = beside(y);
+    REQUIRE(way.reached);
+    CHECK(way.reached->crack == std::size_t(1));
+    CHECK((way.to - Point(4.3, 3 + y)).norm() < 1e-12);
+    CHECK(way.length == Approx(std::hypot(0.3, y)));
+  }
+  CHECK_FALSE(beside(0.051).reached);
+  // beside its own tip, and on it; what lies behind does not count
+  const auto along = [](const geometry::Polyline& other) {
+    return advance({}, outline, {{{0, 3}, {4, 3}}, other}, spacing, tip, 0, false);
+  };
+  CHECK((along({{3, 3.03}, {9, 3.03}}).to - Point(4, 3.03)).norm() < 1e-12);
+  CHECK(touches_at_once(along({{4, 3}, {4.5, 4}}), spacing));
+  CHECK_FALSE(along({{3, 3.03}, {3.9, 3.03}}).reached);
+  // between mirror images of a crack a tip goes on
+  const std::vector<geometry::Polyline> gate{{{0, 3}, {4, 3}}, {{4.3, 3.03}, {4.3, 5}}, {{4.3, 2.97}, {4.3, 1}}};
+  CHECK_FALSE(advance({}, outline, gate, spacing, tip, 0, false).reached);
 }
