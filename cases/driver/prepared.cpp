@@ -37,9 +37,10 @@ void require_memory(const CaseFile& file) {
   unless_refused(file, [&] { plate::require_memory(file.content); });
 }
 
-void require_distributable(const CaseFile& file, const std::vector<NotDistributable>& not_distributable) {
+void require_distributable(const CaseFile& file, int processes) {
   std::vector<Problem> problems;
-  for (const auto& [key, why] : not_distributable) problems.push_back({file.place(key), key, why});
+  for (const auto& [key, what] : errors_in_distribution(plan_of(file.content, {}), processes))
+    problems.push_back({file.place(key), key, what});
   if (!problems.empty()) throw CaseError(problems);
 }
 

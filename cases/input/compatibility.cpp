@@ -5,6 +5,9 @@
 #include <array>
 
 #include "cases/input/case_file.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/edges/surface_formulation.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/nodal_forces.hpp"
 
 namespace cases {
@@ -12,7 +15,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 30> words{{
+constexpr std::array<std::pair<Part, std::string_view>, 34> words{{
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -43,10 +46,42 @@ constexpr std::array<std::pair<Part, std::string_view>, 30> words{{
     {growth_by_displacement, "`growth.control` other than `\"load\"`"},
     {growth_from_rest_to_motion, "`growth.unstable = \"move\"`"},
     {frozen_pieces, "`growth.fallen = \"freeze\"`"},
+    {local_preconditioner, "`analysis.preconditioner = \"local\"`"},
+    {layers, "supports in layers outside the plate"},
+    {nodes_on_edges, "`discretization.boundary` other than `\"images\"`"},
+    {processes, "several processes (`pdplate_distributed`)"},
+}};
+
+/// Words for what a formulation may lack.
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 20> features{{
+    {plate::Feature::horizon, "families within a horizon"},
+    {plate::Feature::influence, "`discretization.influence`"},
+    {plate::Feature::volume_correction, "`discretization.volume_correction`"},
+    {plate::Feature::surface_correction, "`discretization.surface_correction`"},
+    {plate::Feature::full_horizon, "`discretization.full_horizon`"},
+    {plate::Feature::surface_nodes, "`discretization.boundary`"},
+    {plate::Feature::twist_match, "`discretization.twist_match`"},
+    {plate::Feature::layers, "supports in layers outside the plate"},
+    {plate::Feature::any_direction, "mirrors and hard supports on edges of any direction"},
+    {plate::Feature::graded_points, "`discretization.tip_spacing`, `hole_spacing`, and `srif.accuracy`"},
+    {plate::Feature::short_horizon, "`analysis.preconditioner = \"local\"` and `\"two_level\"`"},
+    {plate::Feature::levels, "`analysis.preconditioner = \"levels\"`"},
+    {plate::Feature::factor, "`analysis.method = \"direct\"`"},
+    {plate::Feature::single_precision, "`analysis.precision = \"mixed\"`"},
+    {plate::Feature::lanczos, "`analysis.method = \"lanczos\"` and `analysis.kind = \"harmonic\"`"},
+    {plate::Feature::symmetry, "conjugate gradients, motion, frequencies and load cases"},
+    {plate::Feature::breaking_bonds, "`[growth]` by single bonds"},
+    {plate::Feature::running_tips, "`[growth]` of tips in motion"},
+    {plate::Feature::sections, "plies, directions, regions or factors of the section"},
+    {plate::Feature::stiffeners, "`[[stiffener]]`"},
 }};
 
 std::string needs_double(const char* key) {
   return fmt::format("\"mixed\" given: {} needs \"double\"", key);
+}
+
+std::string by_one_process(const char* what) {
+  return fmt::format("{} yet by several processes: run it by one (pdplate)", what);
 }
 
 constexpr const char* own_estimates = "has estimates of its own: remove srif.richardson and srif.second_formulation";
@@ -54,6 +89,7 @@ constexpr const char* equilibria =
     "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] with a "
     "history";
 constexpr const char* settlements = "load[].kind";
+constexpr const char* layer_kinds = "support[].kind";
 
 const std::vector<Exclusion> excluded_pairs{
     {lanczos, impact, "analysis.method",
@@ -128,6 +164,13 @@ const std::vector<Exclusion> excluded_pairs{
     {factors_to_accuracy, varied_section, "srif.accuracy",
      "is of one isotropic section: the estimates that it goes by are measured there"},
     {toughness, directed_section, "srif.toughness", "is one number of isotropic materials: remove it"},
+    {processes, harmonic, "analysis.kind", by_one_process("\"harmonic\" cannot be run")},
+    {processes, lanczos, "analysis.method", by_one_process("\"lanczos\" cannot be run")},
+    {processes, local_preconditioner, "analysis.preconditioner", by_one_process("\"local\" cannot be made")},
+    {processes, nodes_on_edges, "discretization.boundary", by_one_process("only \"images\" can be run")},
+    {processes, layers, layer_kinds, by_one_process("layers cannot be run")},
+    {processes, second_formulation, "srif.second_formulation", by_one_process("a second formulation cannot be run")},
+    {processes, factors_to_accuracy, "srif.accuracy", by_one_process("spacings cannot be sought")},
 };
 
 }  // namespace
@@ -140,7 +183,7 @@ std::string_view words_of(Part part) {
   return std::ranges::find(words, part, &std::pair<Part, std::string_view>::first)->second;
 }
 
-std::vector<Part> parts_of(const Case& content) {
+std::vector<Part> parts_of(const Case& content, bool distributed) {
   std::vector<Part> result;
   const auto add = [&](bool asked, Part part) {
     if (asked) result.push_back(part);
@@ -175,6 +218,10 @@ std::vector<Part> parts_of(const Case& content) {
     add(srif->second_formulation, second_formulation);
     add(srif->toughness.has_value(), toughness);
   }
+  add(a.preconditioner == plate::Preconditioning::local, local_preconditioner);
+  add(std::ranges::any_of(content.supports, plate::is_layer, &plate::Support::kind), layers);
+  add(content.discretization.boundary != plate::EdgeMethod::images, nodes_on_edges);
+  add(distributed, processes);
   if (!g) return result;
   add(true, growth);
   add(bonds, growth_of_bonds);
@@ -186,20 +233,30 @@ std::vector<Part> parts_of(const Case& content) {
   return result;
 }
 
-std::vector<KeyError> excluded(const Case& content) {
-  const auto parts = parts_of(content);
+namespace {
+
+/// The keys of an exclusion: of a list those of its entries that have the part.
+std::vector<std::string> keys_of(const Exclusion& exclusion, const Case& content) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; exclusion.key == settlements && i < content.loads.size(); ++i)
+    if (content.loads[i].as<plate::Settlement>()) result.push_back(key_of_load(content, i) + ".kind");
+  for (std::size_t i = 0; exclusion.key == layer_kinds && i < content.supports.size(); ++i)
+    if (plate::is_layer(content.supports[i].kind)) result.push_back(fmt::format("support[{}].kind", i));
+  return result.empty() ? std::vector{exclusion.key} : result;
+}
+
+}  // namespace
+
+std::vector<KeyError> excluded(const Case& content, bool distributed) {
+  const auto parts = parts_of(content, distributed);
   const auto has = [&](Part part) { return std::ranges::find(parts, part) != parts.end(); };
   std::vector<KeyError> result;
-  for (const auto& [one, other, key, reason] : exclusions()) {
-    if (!has(one) || !has(other)) continue;
-    if (key != settlements) {
-      const KeyError error{key, reason};
-      if (std::ranges::none_of(result, [&](const auto& old) { return old.key == key && old.what == reason; }))
-        result.push_back(error);
-      continue;
+  for (const auto& exclusion : exclusions()) {
+    if (!has(exclusion.one) || !has(exclusion.other)) continue;
+    for (const auto& key : keys_of(exclusion, content)) {
+      const auto same = [&](const KeyError& old) { return old.key == key && old.what == exclusion.reason; };
+      if (std::ranges::none_of(result, same)) result.push_back({key, exclusion.reason});
     }
-    for (std::size_t i = 0; i < content.loads.size(); ++i)
-      if (content.loads[i].as<plate::Settlement>()) result.push_back({key_of_load(content, i) + ".kind", reason});
   }
   return result;
 }
@@ -208,6 +265,11 @@ std::string exclusion_list() {
   std::string text;
   for (const auto& [one, other, key, reason] : exclusions())
     text += fmt::format("- {} and {}.\n  `{}` {}\n", words_of(one), words_of(other), key, reason);
+  text += "\n## What a formulation lacks\n\n";
+  for (const auto* kind :
+       {&plate::galerkin, &plate::ordinary, &plate::bonds_with_surface_nodes, &plate::bonds_with_fictitious_nodes})
+    for (const auto& [feature, words] : features)
+      if (!kind->offers(feature)) text += fmt::format("- {}: {}.\n  {}\n", kind->words, words, kind->lacks.at(feature));
   return text;
 }
 

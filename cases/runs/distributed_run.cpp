@@ -5,7 +5,6 @@
 
 #include "cases/runs/cost_estimate.hpp"
 #include "cases/runs/run_plan.hpp"
-#include "plate/bonds/ordinary_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -39,54 +38,31 @@ std::string error_in_twice_the_spacing(const plate::Problem& problem, int proces
 using Refuse = std::function<void(bool asked, const std::string& key, const std::string& why)>;
 
 /// Refuses windows wider than the region seen about a tip, which is as wide as the widest ring.
-void refuse_wide_windows(const RunPlan& plan, double seen, const Refuse& refuse) {
+void refuse_wide_windows(const RunPlan& plan, const Refuse& refuse) {
   if (!plan.srif) return;
-  const double horizon = plan.problem.discretization.horizon();
-  refuse(plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
-  refuse(!plan.srif->window && plan.srif->window_horizons * horizon > seen, "srif.window_horizons",
-         "so wide a window cannot be seen");
-}
-
-void refuse_of_cells(const RunPlan& plan, const Refuse& refuse) {
-  refuse_wide_windows(plan, plate::widest_window(plan.problem), refuse);
-}
-
-void refuse_of_bonds(const RunPlan& plan, const Refuse& refuse) {
   const auto& d = plan.problem.discretization;
-  refuse_wide_windows(plan, plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon(), refuse);
+  const double seen = d.formulation == &plate::galerkin
+                          ? plate::widest_window(plan.problem)
+                          : plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();
+  refuse(plan.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
+  refuse(!plan.srif->window && plan.srif->window_horizons * d.horizon() > seen, "srif.window_horizons",
+         "so wide a window cannot be seen");
 }
 
 }  // namespace
 
-std::vector<NotDistributable> not_for_processes(const RunPlan& plan, int processes) {
-  std::vector<NotDistributable> result;
+std::vector<KeyError> errors_in_distribution(const RunPlan& plan, int processes) {
+  std::vector<KeyError> result;
   const Refuse refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
-  const auto& d = plan.problem.discretization;
-  using enum plate::Analysis::Method;
-  const bool moves = plan.analysis.kind == plate::Analysis::Kind::dynamic;
-  refuse(plan.analysis.kind == plate::Analysis::Kind::harmonic, "analysis.kind", "\"harmonic\" cannot be run");
-  refuse(moves && plan.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
   constexpr double most_factorised = 1e6;  // points; MUMPS takes no more (plate/distributed)
-  refuse(plan.analysis.method == direct && expected_points(plan.problem) > most_factorised, "analysis.method",
-         "\"direct\" of so many points cannot be run");
-  refuse(plan.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
-         "\"local\" cannot be made");
-  const bool cells = d.formulation == &plate::galerkin;
-  refuse(!cells && d.formulation != &plate::ordinary, "formulation", "only \"galerkin\" and \"ordinary\" can be run");
-  refuse(d.boundary != plate::EdgeMethod::images, "discretization.boundary", "only \"images\" can be run");
-  for (std::size_t i = 0; i < plan.problem.supports.size(); ++i) {
-    const auto& one = plan.problem.supports[i];
-    const auto key = "support[" + std::to_string(i) + "]";
-    refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
-  }
+  refuse(plan.analysis.method == plate::Analysis::Method::direct && expected_points(plan.problem) > most_factorised,
+         "analysis.method", "\"direct\" of so many points cannot be run");
   if (plan.srif && plan.srif->richardson && processes > 0)
     if (auto error = error_in_twice_the_spacing(plan.problem, processes); !error.empty())
       result.push_back({"srif.richardson", std::move(error)});
-  refuse(plan.srif && plan.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
-  refuse(plan.srif && plan.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
-  (cells ? refuse_of_cells : refuse_of_bonds)(plan, refuse);
+  refuse_wide_windows(plan, refuse);
   return result;
 }
 
