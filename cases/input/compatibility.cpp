@@ -125,8 +125,6 @@ const std::vector<Exclusion> excluded_pairs{
      "soil that lifts off has no harmonic response, as it is not linear: remove lifts_off"},
     {unilateral_foundation, growth, "foundation",
      "cracks grow at loads that are known of linear plates alone: remove lifts_off"},
-    {unilateral_foundation, settlement, "foundation",
-     "settlements cannot be run yet beside soil that lifts off: remove lifts_off"},
     {unilateral_foundation, combinations, "combination",
      "what soil touches differs from load case to load case, so that they do not add up: give their sum a [[case]] "
      "of its own"},

@@ -154,6 +154,12 @@ TEST_CASE("a plate in parts: soil that lifts off, in motion and at rest") {
   SECTION("in motion") {
     check(problem, {false, {30, 0}, 60});
   }
+  SECTION("in motion, beside an edge that rises") {
+    Load rises{Settlement{.value = 0.01, .slope = {0, 0.005}}};
+    rises.history.kind = History::Kind::table, rises.history.table = {{0, 0}, {0.001, 0.3}, {0.003, 1}};
+    problem.loads = {rises};
+    check(problem, {false, {30, 0}, 60});
+  }
   SECTION("at rest") {
     problem.initial.reset();
     problem.discretization.spacing = 0.02;
@@ -163,5 +169,7 @@ TEST_CASE("a plate in parts: soil that lifts off, in motion and at rest") {
     problem.loads = {wheel, pressure(0.01)};
     check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
     check_rest(problem, StaticMethod::cg, Preconditioning::two_level, 1e-12);
+    problem.loads.push_back({Settlement{.value = 0.003, .slope = {0.001, 0}}});
+    check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
   }
 }
