@@ -108,8 +108,6 @@ const std::vector<Exclusion> excluded_pairs{
     {single_precision, initial, "analysis.precision", needs_double("initial")},
     {single_precision, impact, "analysis.precision", needs_double("impact")},
     {single_precision, growth, "analysis.precision", "growth is in double precision only; choose \"double\""},
-    {settlement, damping, "analysis.damping",
-     "is not available beside supports that settle: remove it or the settlement"},
     {settlement, harmonic, settlements, "\"settlement\" given: supports that swing are of analysis.kind = \"dynamic\""},
     {settlement, growth_of_bonds_at_rest, "growth.criterion",
      "bonds that break one by one at rest know no supports that move: choose \"energy_release\""},

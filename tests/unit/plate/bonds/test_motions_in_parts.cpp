@@ -137,6 +137,12 @@ TEST_CASE("a plate in parts: supports that move, an edge that turns, a pin, acro
     check(problem, {true});
     return;
   }
+  SECTION("damped by mass and stiffness") {
+    problem.supports = {{clamped, {"left"}, {}}, {simply_supported, {"top", "right"}, {}}};
+    problem.loads = {turned(settlement(0, 0.01, 0.003)), settlement(1, -0.01, 0.002), pressure(1)};
+    check(problem, {false, {30, 1e-5}, 40});
+    return;
+  }
   SECTION("oblique edges") {
     problem.outline = {};
     problem.outline.outer.vertices = {{0, 0}, {4.1, 0.03}, {4.0, 0.9}, {1.3, 1.25}};
