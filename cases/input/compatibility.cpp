@@ -15,7 +15,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 34> words{{
+constexpr std::array<std::pair<Part, std::string_view>, 32> words{{
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -23,9 +23,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 34> words{{
     {single_precision, "`analysis.precision = \"mixed\"`"},
     {equilibrium_start, "`analysis.start = \"equilibrium\"`"},
     {initial_deflection, "`initial.deflection`"},
-    {initial, "`[initial]`"},
     {impact, "`[impact]`"},
-    {damping, "`analysis.damping` of a motion"},
     {stiffness_damping, "`analysis.damping.stiffness` of a motion"},
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
@@ -104,8 +102,7 @@ const std::vector<Exclusion> excluded_pairs{
      "\"lanczos\" given: loads that move need steps; choose \"central_difference\""},
     {lanczos, unilateral_foundation, "analysis.method",
      "\"lanczos\" given: soil that lifts off needs steps; choose \"central_difference\""},
-    {single_precision, damping, "analysis.precision", needs_double("analysis.damping")},
-    {single_precision, initial, "analysis.precision", needs_double("initial")},
+    {single_precision, stiffness_damping, "analysis.precision", needs_double("analysis.damping.stiffness")},
     {single_precision, impact, "analysis.precision", needs_double("impact")},
     {single_precision, growth, "analysis.precision", "growth is in double precision only; choose \"double\""},
     {settlement, harmonic, settlements, "\"settlement\" given: supports that swing are of analysis.kind = \"dynamic\""},
@@ -196,9 +193,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add((moves || bonds) && a.precision == Analysis::Precision::mixed, single_precision);
   add(moves && a.start == Analysis::Start::equilibrium, equilibrium_start);
   add(moves && content.initial && content.initial->deflection.given(), initial_deflection);
-  add(moves && content.initial, initial);
   add(moves && content.impact, impact);
-  add(moves && a.damping, damping);
   add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
   add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);

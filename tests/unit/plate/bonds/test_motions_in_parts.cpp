@@ -32,6 +32,9 @@ TEST_CASE("a plate in parts: a deflection and a velocity to begin with, damping 
   SECTION("damped") {
     check(problem, {false, {30, 1e-5}});
   }
+  SECTION("in single precision, damped by the mass") {
+    check(problem, {true, {30, 0}});
+  }
   SECTION("by the stiffness alone, beside a load") {
     problem.initial->deflection = {}, problem.loads = {pressure(2)};
     check(problem, {false, {0, 1e-4}});
