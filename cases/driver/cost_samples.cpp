@@ -174,7 +174,7 @@ std::string of_plate(const CaseFile& file) {
 std::string cost(const CaseFile& file, int processes) {
   constexpr double soon_made = 60000;  // points: 0.2 s
   const Case& c = file.content;
-  if (processes > 0) require_distributable(file, not_for_processes(c, processes));
+  if (processes > 0) require_distributable(file, processes);
   std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
                                  c.formulation_reason);
   if (c.srif && c.srif->accuracy)

@@ -33,9 +33,10 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
 
 }  // namespace
 
-void require_distributable(const CaseFile& file, const std::vector<NotDistributable>& not_distributable) {
+void require_distributable(const CaseFile& file, int processes) {
   std::vector<Problem> problems;
-  for (const auto& [key, why] : not_distributable) problems.push_back({file.place(key), key, why});
+  for (const auto& [key, what] : errors_in_distribution(file.content, processes))
+    problems.push_back({file.place(key), key, what});
   if (!problems.empty()) throw CaseError(problems);
 }
 

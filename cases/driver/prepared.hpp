@@ -6,15 +6,13 @@
 
 namespace cases {
 
-struct NotDistributable;
-
 /// The plate of a case, and what its user should know of it. Throws CaseError where the discretisation cannot carry the
 /// case, where the plate is not held in statics, in whole or in a piece that cracks cut off, and where it has fewer
 /// modes than frequencies are asked for.
 plate::Discretised discretised(const CaseFile& file, const plate::Communicator& communicator = plate::single_process());
 
-/// Throws CaseError where there is anything that processes cannot share.
-void require_distributable(const CaseFile& file, const std::vector<NotDistributable>& not_distributable);
+/// Throws CaseError where so many processes cannot share the plate of a case.
+void require_distributable(const CaseFile& file, int processes);
 
 /// Cracks that grow by their tips need the energy release rate of each from the start, whatever methods [srif] names.
 /// Tips too near to an edge, a load or another crack for it: CaseError in statics, a warning in motion, where they

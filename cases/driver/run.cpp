@@ -105,8 +105,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
 
 post::Summary run(const CaseFile& file, const RunOptions& options) {
   const Case& c = file.content;
-  if (const auto& all = *options.communicator; all.distributed())
-    require_distributable(file, not_for_processes(c, all.size()));
+  if (const auto& all = *options.communicator; all.distributed()) require_distributable(file, all.size());
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))
     if (auto done = done_before({c, options})) return std::move(*done);
   try {

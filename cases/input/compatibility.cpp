@@ -5,6 +5,9 @@
 #include <array>
 
 #include "cases/input/case_file.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
+#include "plate/edges/surface_formulation.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/nodal_forces.hpp"
 
 namespace cases {
@@ -12,7 +15,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 30> words{{
+constexpr std::array<std::pair<Part, std::string_view>, 32> words{{
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -20,9 +23,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 30> words{{
     {single_precision, "`analysis.precision = \"mixed\"`"},
     {equilibrium_start, "`analysis.start = \"equilibrium\"`"},
     {initial_deflection, "`initial.deflection`"},
-    {initial, "`[initial]`"},
     {impact, "`[impact]`"},
-    {damping, "`analysis.damping` of a motion"},
     {stiffness_damping, "`analysis.damping.stiffness` of a motion"},
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
@@ -43,91 +44,131 @@ constexpr std::array<std::pair<Part, std::string_view>, 30> words{{
     {growth_by_displacement, "`growth.control` other than `\"load\"`"},
     {growth_from_rest_to_motion, "`growth.unstable = \"move\"`"},
     {frozen_pieces, "`growth.fallen = \"freeze\"`"},
+    {local_preconditioner, "`analysis.preconditioner = \"local\"`"},
+    {layers, "supports in layers outside the plate"},
+    {nodes_on_edges, "`discretization.boundary` other than `\"images\"`"},
+    {processes, "several processes (`pdplate_distributed`)"},
 }};
 
-std::string needs_double(const char* key) {
-  return fmt::format("\"mixed\" given: {} needs \"double\"", key);
+/// Words for what a formulation may lack.
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 20> features{{
+    {plate::Feature::horizon, "families within a horizon"},
+    {plate::Feature::influence, "`discretization.influence`"},
+    {plate::Feature::volume_correction, "`discretization.volume_correction`"},
+    {plate::Feature::surface_correction, "`discretization.surface_correction`"},
+    {plate::Feature::full_horizon, "`discretization.full_horizon`"},
+    {plate::Feature::surface_nodes, "`discretization.boundary`"},
+    {plate::Feature::twist_match, "`discretization.twist_match`"},
+    {plate::Feature::layers, "supports in layers outside the plate"},
+    {plate::Feature::any_direction, "mirrors and hard supports on edges of any direction"},
+    {plate::Feature::graded_points, "`discretization.tip_spacing`, `hole_spacing`, and `srif.accuracy`"},
+    {plate::Feature::short_horizon, "`analysis.preconditioner = \"local\"` and `\"two_level\"`"},
+    {plate::Feature::levels, "`analysis.preconditioner = \"levels\"`"},
+    {plate::Feature::factor, "`analysis.method = \"direct\"`"},
+    {plate::Feature::single_precision, "`analysis.precision = \"mixed\"`"},
+    {plate::Feature::lanczos, "`analysis.method = \"lanczos\"` and `analysis.kind = \"harmonic\"`"},
+    {plate::Feature::symmetry, "conjugate gradients, motion, frequencies and load cases"},
+    {plate::Feature::breaking_bonds, "`[growth]` by single bonds"},
+    {plate::Feature::running_tips, "`[growth]` of tips in motion"},
+    {plate::Feature::sections, "plies, directions, regions or factors of the section"},
+    {plate::Feature::stiffeners, "`[[stiffener]]`"},
+}};
+
+std::string by_one_process(const char* what) {
+  return fmt::format("{} yet by several processes: run it by one (pdplate)", what);
 }
 
-constexpr const char* own_estimates = "has estimates of its own: remove srif.richardson and srif.second_formulation";
+constexpr const char* own_estimates = "estimates the error itself: remove srif.richardson and srif.second_formulation";
 constexpr const char* equilibria =
-    "load cases are equilibria, which add up: they need analysis.kind = \"static\"; loads in time are [[load]] with a "
-    "history";
+    "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
+constexpr const char* layer_kinds = "support[].kind";
 
 const std::vector<Exclusion> excluded_pairs{
     {lanczos, impact, "analysis.method",
-     "\"lanczos\" moves linear plates, and a mass that lifts off is none; choose \"central_difference\""},
+     "\"lanczos\" needs a linear plate, and a mass that may bounce off makes it nonlinear; choose "
+     "\"central_difference\""},
     {lanczos, single_precision, "analysis.precision",
-     "\"mixed\" is of method = \"central_difference\"; choose \"double\""},
+     "\"mixed\" is of method = \"central_difference\", as Lanczos vectors need double precision; choose \"double\""},
     {lanczos, growth, "analysis.method",
-     "\"lanczos\" given: growth in motion takes steps; choose \"central_difference\""},
+     "\"lanczos\" needs a stiffness that does not change, and cracks that grow change it; choose "
+     "\"central_difference\""},
     {lanczos, settlement, settlements,
-     "\"settlement\" given: supports move by steps alone; choose analysis.method = \"central_difference\""},
+     "\"settlement\" given: supports that move need time steps; choose analysis.method = \"central_difference\""},
     {lanczos, moving_load, "analysis.method",
-     "\"lanczos\" given: loads that move need steps; choose \"central_difference\""},
+     "\"lanczos\" needs loads that stay in place, and loads that move need steps; choose \"central_difference\""},
     {lanczos, unilateral_foundation, "analysis.method",
-     "\"lanczos\" given: soil that lifts off needs steps; choose \"central_difference\""},
-    {single_precision, damping, "analysis.precision", needs_double("analysis.damping")},
-    {single_precision, initial, "analysis.precision", needs_double("initial")},
-    {single_precision, impact, "analysis.precision", needs_double("impact")},
-    {single_precision, growth, "analysis.precision", "growth is in double precision only; choose \"double\""},
-    {settlement, damping, "analysis.damping",
-     "is not available beside supports that settle: remove it or the settlement"},
-    {settlement, harmonic, settlements, "\"settlement\" given: supports that swing are of analysis.kind = \"dynamic\""},
+     "\"lanczos\" needs a linear plate, and soil that lifts off makes it nonlinear; choose \"central_difference\""},
+    {single_precision, stiffness_damping, "analysis.precision",
+     "damping by the stiffness takes small differences of forces, which single precision loses; choose \"double\""},
+    {single_precision, impact, "analysis.precision",
+     "contact with the mass of [impact] is computed in double precision only; choose \"double\""},
+    {single_precision, growth, "analysis.precision",
+     "growth of cracks is computed in double precision only; choose \"double\""},
+    {settlement, harmonic, settlements,
+     "\"settlement\" given: the harmonic response is that to forces; supports that vibrate need analysis.kind = "
+     "\"dynamic\""},
     {settlement, growth_of_bonds_at_rest, "growth.criterion",
-     "bonds that break one by one at rest know no supports that move: choose \"energy_release\""},
+     "bonds that break one by one at rest are followed under loads alone, not under settlements: choose "
+     "\"energy_release\""},
     {settlement, growth_by_displacement, "growth.control",
      "must be \"load\" beside settlements, which say how far supports move"},
     {settlement, growth_from_rest_to_motion, "growth.unstable",
-     "\"move\" is not available beside settlements: choose \"stop\" or \"jump\""},
+     "\"move\" takes over loads into the motion, but not supports that have moved: choose \"stop\" or \"jump\""},
     {unilateral_foundation, stiffness_damping, "analysis.damping",
-     "the stiffness of a plate on soil that lifts off changes, and cannot damp: give mass alone"},
+     "the stiffness changes where the plate leaves the soil, and so would damping by it: give mass alone"},
     {unilateral_foundation, frequencies, "foundation",
-     "a plate that may lift off has no frequencies: remove lifts_off"},
+     "a plate that may lift off is not linear and has no frequencies: remove lifts_off"},
     {unilateral_foundation, harmonic, "foundation",
-     "soil that lifts off has no harmonic response, as it is not linear: remove lifts_off"},
+     "a plate that may lift off is not linear and has no harmonic response: remove lifts_off"},
     {unilateral_foundation, growth, "foundation",
-     "cracks grow at loads that are known of linear plates alone: remove lifts_off"},
-    {unilateral_foundation, settlement, "foundation",
-     "settlements cannot be run yet beside soil that lifts off: remove lifts_off"},
+     "the loads at which cracks grow are found for linear plates, and a plate that may lift off is none: remove "
+     "lifts_off"},
     {unilateral_foundation, combinations, "combination",
-     "what soil touches differs from load case to load case, so that they do not add up: give their sum a [[case]] "
-     "of its own"},
+     "each load case touches other soil, so that load cases do not add up: give their sum a [[case]] of its own"},
     {equilibrium_start, initial_deflection, "initial.deflection",
      "is given beside start = \"equilibrium\", which is another deflection: remove one"},
     {growth, stiffness_damping, "analysis.damping",
-     "the stiffness of a plate whose cracks grow changes, and cannot damp: give mass alone"},
+     "the stiffness changes while cracks grow, and so would damping by it: give mass alone"},
     {growth, second_formulation, "srif.second_formulation",
-     "is not available with [growth]: run both cases and compare their growth.csv"},
-    {growth, richardson, "srif.richardson", "is not available with [growth]: run the case with twice the spacing"},
-    {growth, factors_to_accuracy, "srif.accuracy", "is not available with [growth]"},
+     "compares one crack, and cracks that grow differ between formulations: run both cases and compare growth.csv"},
+    {growth, richardson, "srif.richardson",
+     "compares one crack, and cracks that grow differ between spacings: run the case with twice the spacing"},
+    {growth, factors_to_accuracy, "srif.accuracy",
+     "finds a spacing for one crack, and cracks that grow change: remove it, and state discretization.spacing"},
     {growth, load_cases, "growth",
-     "cracks that grow make another plate of it under every load, so that load cases neither share it nor add up: "
-     "remove it, or run each load case by itself"},
+     "cracks grow differently under every load case, so that these share no plate: remove it, or run each load case by "
+     "itself"},
     {growth, varied_section, "growth",
-     "cracks grow in one isotropic section: fracture energies and directions of others are not known here; remove "
-     "it"},
+     "growth.fracture_energy is that of one isotropic section: remove [growth], or what makes the section vary"},
     {growth_of_bonds, temperature, "growth.criterion",
-     "bonds that break one by one know no temperature: choose \"energy_release\""},
+     "breaking single bonds takes no account of temperature: choose \"energy_release\""},
     {growth_of_heated_cracks_in_motion, temperature, "growth",
-     "cracks that grow in motion know no temperature: let them grow at rest, with unstable = \"stop\" or \"jump\""},
+     "growth in motion takes no account of temperature: let cracks grow at rest, with unstable = \"stop\" or \"jump\""},
     {growth_of_bonds, growth_from_rest_to_motion, "growth.unstable",
-     "\"move\" given: cracks of broken bonds cannot be handed over to a motion; choose \"stop\" or \"jump\""},
+     "\"move\" needs crack tips that run on, and single broken bonds have none; choose \"stop\" or \"jump\""},
     {growth_by_displacement, growth_from_rest_to_motion, "growth.control",
      "must be \"load\" with unstable = \"move\": the loads stay while the plate moves"},
     {impact, frozen_pieces, "growth.fallen",
-     "\"freeze\" would hold a piece that the mass of [impact] has struck out: choose \"move\""},
+     "\"freeze\" would hold a piece that the mass of [impact] has knocked out: choose \"move\""},
     {load_cases, motion, "case", equilibria},
     {load_cases, frequencies, "case", equilibria},
     {load_cases, harmonic, "case", equilibria},
     {load_cases, factors_to_accuracy, "srif.accuracy",
-     "is of one load on the plate, and [[case]] gives several: run each load case by itself, or state the spacing"},
+     "finds a spacing for one load, and [[case]] gives several: run each load case by itself, or state the spacing"},
     {factors_to_accuracy, richardson, "srif.accuracy", own_estimates},
     {factors_to_accuracy, second_formulation, "srif.accuracy", own_estimates},
     {factors_to_accuracy, varied_section, "srif.accuracy",
-     "is of one isotropic section: the estimates that it goes by are measured there"},
-    {toughness, directed_section, "srif.toughness", "is one number of isotropic materials: remove it"},
+     "goes by error estimates that were measured on one isotropic section: remove it, and state the spacing"},
+    {toughness, directed_section, "srif.toughness",
+     "is one number, and a section with directions has a toughness for each: remove it"},
+    {processes, harmonic, "analysis.kind", by_one_process("\"harmonic\" cannot be run")},
+    {processes, lanczos, "analysis.method", by_one_process("\"lanczos\" cannot be run")},
+    {processes, local_preconditioner, "analysis.preconditioner", by_one_process("\"local\" cannot be made")},
+    {processes, nodes_on_edges, "discretization.boundary", by_one_process("only \"images\" can be run")},
+    {processes, layers, layer_kinds, by_one_process("layers cannot be run")},
+    {processes, second_formulation, "srif.second_formulation", by_one_process("a second formulation cannot be run")},
+    {processes, factors_to_accuracy, "srif.accuracy", by_one_process("spacings cannot be sought")},
 };
 
 }  // namespace
@@ -140,7 +181,7 @@ std::string_view words_of(Part part) {
   return std::ranges::find(words, part, &std::pair<Part, std::string_view>::first)->second;
 }
 
-std::vector<Part> parts_of(const Case& content) {
+std::vector<Part> parts_of(const Case& content, bool distributed) {
   std::vector<Part> result;
   const auto add = [&](bool asked, Part part) {
     if (asked) result.push_back(part);
@@ -157,9 +198,7 @@ std::vector<Part> parts_of(const Case& content) {
   add((moves || bonds) && a.precision == Analysis::Precision::mixed, single_precision);
   add(moves && a.start == Analysis::Start::equilibrium, equilibrium_start);
   add(moves && content.initial && content.initial->deflection.given(), initial_deflection);
-  add(moves && content.initial, initial);
   add(moves && content.impact, impact);
-  add(moves && a.damping, damping);
   add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
   add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
@@ -175,6 +214,10 @@ std::vector<Part> parts_of(const Case& content) {
     add(srif->second_formulation, second_formulation);
     add(srif->toughness.has_value(), toughness);
   }
+  add(a.preconditioner == plate::Preconditioning::local, local_preconditioner);
+  add(std::ranges::any_of(content.supports, plate::is_layer, &plate::Support::kind), layers);
+  add(content.discretization.boundary != plate::EdgeMethod::images, nodes_on_edges);
+  add(distributed, processes);
   if (!g) return result;
   add(true, growth);
   add(bonds, growth_of_bonds);
@@ -186,20 +229,30 @@ std::vector<Part> parts_of(const Case& content) {
   return result;
 }
 
-std::vector<KeyError> excluded(const Case& content) {
-  const auto parts = parts_of(content);
+namespace {
+
+/// The keys of an exclusion: of a list those of its entries that have the part.
+std::vector<std::string> keys_of(const Exclusion& exclusion, const Case& content) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; exclusion.key == settlements && i < content.loads.size(); ++i)
+    if (content.loads[i].as<plate::Settlement>()) result.push_back(key_of_load(content, i) + ".kind");
+  for (std::size_t i = 0; exclusion.key == layer_kinds && i < content.supports.size(); ++i)
+    if (plate::is_layer(content.supports[i].kind)) result.push_back(fmt::format("support[{}].kind", i));
+  return result.empty() ? std::vector{exclusion.key} : result;
+}
+
+}  // namespace
+
+std::vector<KeyError> excluded(const Case& content, bool distributed) {
+  const auto parts = parts_of(content, distributed);
   const auto has = [&](Part part) { return std::ranges::find(parts, part) != parts.end(); };
   std::vector<KeyError> result;
-  for (const auto& [one, other, key, reason] : exclusions()) {
-    if (!has(one) || !has(other)) continue;
-    if (key != settlements) {
-      const KeyError error{key, reason};
-      if (std::ranges::none_of(result, [&](const auto& old) { return old.key == key && old.what == reason; }))
-        result.push_back(error);
-      continue;
+  for (const auto& exclusion : exclusions()) {
+    if (!has(exclusion.one) || !has(exclusion.other)) continue;
+    for (const auto& key : keys_of(exclusion, content)) {
+      const auto same = [&](const KeyError& old) { return old.key == key && old.what == exclusion.reason; };
+      if (std::ranges::none_of(result, same)) result.push_back({key, exclusion.reason});
     }
-    for (std::size_t i = 0; i < content.loads.size(); ++i)
-      if (content.loads[i].as<plate::Settlement>()) result.push_back({key_of_load(content, i) + ".kind", reason});
   }
   return result;
 }
@@ -208,6 +261,11 @@ std::string exclusion_list() {
   std::string text;
   for (const auto& [one, other, key, reason] : exclusions())
     text += fmt::format("- {} and {}.\n  `{}` {}\n", words_of(one), words_of(other), key, reason);
+  text += "\n## What a formulation lacks\n\n";
+  for (const auto* kind :
+       {&plate::galerkin, &plate::ordinary, &plate::bonds_with_surface_nodes, &plate::bonds_with_fictitious_nodes})
+    for (const auto& [feature, words] : features)
+      if (!kind->offers(feature)) text += fmt::format("- {}: {}.\n  {}\n", kind->words, words, kind->lacks.at(feature));
   return text;
 }
 

@@ -19,9 +19,7 @@ enum class Part {
   single_precision,
   equilibrium_start,
   initial_deflection,
-  initial,
   impact,
-  damping,
   stiffness_damping,
   settlement,
   moving_load,
@@ -41,13 +39,17 @@ enum class Part {
   growth_of_heated_cracks_in_motion,
   growth_by_displacement,
   growth_from_rest_to_motion,
-  frozen_pieces
+  frozen_pieces,
+  local_preconditioner,
+  layers,
+  nodes_on_edges,
+  processes
 };
 
 /// Two parts that do not go together, the key that is to change, and the reason, as a message says it.
 struct Exclusion {
   Part one, other;
-  std::string key;  // of settlements "load[].kind"
+  std::string key;  // of settlements "load[].kind", of layers "support[].kind"
   std::string reason;
 };
 
@@ -57,13 +59,13 @@ const std::vector<Exclusion>& exclusions();
 /// A part in the words of case files.
 std::string_view words_of(Part part);
 
-/// The parts that a case asks for.
-std::vector<Part> parts_of(const Case& content);
+/// The parts that a case asks for. `distributed`: several ranks are to run it.
+std::vector<Part> parts_of(const Case& content, bool distributed = false);
 
 /// The exclusions that a case meets, by its keys.
-std::vector<KeyError> excluded(const Case& content);
+std::vector<KeyError> excluded(const Case& content, bool distributed = false);
 
-/// The exclusions as a list in Markdown.
+/// The exclusions, and what each formulation lacks, as two lists in Markdown.
 std::string exclusion_list();
 
 }  // namespace cases

@@ -154,7 +154,7 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   report_error(errors_in_motion(content, analysis, growth.has_value(), given));
   report_error(errors_in_response(content, analysis));
   report_error(errors_in_beginning(content, analysis));
-  report_error(excluded(content));
+  report_error(excluded(content, reading.distributed));
 }
 
 }  // namespace

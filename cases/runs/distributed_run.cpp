@@ -5,7 +5,6 @@
 
 #include "cases/input/case_file.hpp"
 #include "cases/runs/cost_estimate.hpp"
-#include "plate/bonds/ordinary_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -39,54 +38,31 @@ std::string error_in_twice_the_spacing(const plate::Problem& problem, int proces
 using Refuse = std::function<void(bool asked, const std::string& key, const std::string& why)>;
 
 /// Refuses windows wider than the region seen about a tip, which is as wide as the widest ring.
-void refuse_wide_windows(const Case& c, double seen, const Refuse& refuse) {
+void refuse_wide_windows(const Case& c, const Refuse& refuse) {
   if (!c.srif) return;
-  const double horizon = c.discretization.horizon();
-  refuse(c.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
-  refuse(!c.srif->window && c.srif->window_horizons * horizon > seen, "srif.window_horizons",
-         "so wide a window cannot be seen");
-}
-
-void refuse_of_cells(const Case& c, const Refuse& refuse) {
-  refuse_wide_windows(c, plate::widest_window(c), refuse);
-}
-
-void refuse_of_bonds(const Case& c, const Refuse& refuse) {
   const auto& d = c.discretization;
-  refuse_wide_windows(c, plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon(), refuse);
+  const double seen = d.formulation == &plate::galerkin
+                          ? plate::widest_window(c)
+                          : plate::reach_about_tips(d.horizon_ratio) * d.spacing - d.horizon();
+  refuse(c.srif->window.value_or(0) > seen, "srif.window", "so wide a window cannot be seen");
+  refuse(!c.srif->window && c.srif->window_horizons * d.horizon() > seen, "srif.window_horizons",
+         "so wide a window cannot be seen");
 }
 
 }  // namespace
 
-std::vector<NotDistributable> not_for_processes(const Case& c, int processes) {
-  std::vector<NotDistributable> result;
+std::vector<KeyError> errors_in_distribution(const Case& c, int processes) {
+  std::vector<KeyError> result;
   const Refuse refuse = [&](bool asked, const std::string& key, const std::string& why) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
-  const auto& d = c.discretization;
-  using enum plate::Analysis::Method;
-  const bool moves = c.analysis.kind == plate::Analysis::Kind::dynamic;
-  refuse(c.analysis.kind == plate::Analysis::Kind::harmonic, "analysis.kind", "\"harmonic\" cannot be run");
-  refuse(moves && c.analysis.method == lanczos, "analysis.method", "\"lanczos\" cannot be run");
   constexpr double most_factorised = 1e6;  // points; MUMPS takes no more (plate/distributed)
-  refuse(c.analysis.method == direct && expected_points(c) > most_factorised, "analysis.method",
-         "\"direct\" of so many points cannot be run");
-  refuse(c.analysis.preconditioner == plate::Preconditioning::local, "analysis.preconditioner",
-         "\"local\" cannot be made");
-  const bool cells = d.formulation == &plate::galerkin;
-  refuse(!cells && d.formulation != &plate::ordinary, "formulation", "only \"galerkin\" and \"ordinary\" can be run");
-  refuse(d.boundary != plate::EdgeMethod::images, "discretization.boundary", "only \"images\" can be run");
-  for (std::size_t i = 0; i < c.supports.size(); ++i) {
-    const auto& one = c.supports[i];
-    const auto key = "support[" + std::to_string(i) + "]";
-    refuse(plate::is_layer(one.kind), key + ".kind", "layers cannot be run");
-  }
+  refuse(c.analysis.method == plate::Analysis::Method::direct && expected_points(c) > most_factorised,
+         "analysis.method", "\"direct\" of so many points cannot be run");
   if (c.srif && c.srif->richardson && processes > 0)
     if (auto error = error_in_twice_the_spacing(c, processes); !error.empty())
       result.push_back({"srif.richardson", std::move(error)});
-  refuse(c.srif && c.srif->second_formulation, "srif.second_formulation", "a second formulation cannot be run");
-  refuse(c.srif && c.srif->accuracy, "srif.accuracy", "spacings cannot be sought");
-  (cells ? refuse_of_cells : refuse_of_bonds)(c, refuse);
+  refuse_wide_windows(c, refuse);
   return result;
 }
 

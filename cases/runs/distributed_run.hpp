@@ -1,7 +1,7 @@
 #pragma once
-#include <string>
 #include <vector>
 
+#include "cases/input/problems.hpp"
 #include "plate/model/state.hpp"
 #include "post/factors/srif.hpp"
 #include "post/files/summary.hpp"
@@ -15,12 +15,9 @@ namespace cases {
 
 struct Case;
 
-/// A feature that ranks cannot share yet: the key of the case, and why.
-struct NotDistributable {
-  std::string key, why;
-};
-/// Features of a run that ranks cannot share. `processes`: their number; 0: not known.
-std::vector<NotDistributable> not_for_processes(const Case& c, int processes = 0);
+/// Reasons why so many ranks cannot share the plate of a case; what never goes with several processes is in the table
+/// of exclusions. `processes`: 0: not known.
+std::vector<KeyError> errors_in_distribution(const Case& c, int processes = 0);
 
 /// Counts points and bonds of all ranks, each by its owner; collective.
 void count_all(post::Summary& summary, const plate::Formulation& plate);

@@ -289,7 +289,7 @@ const FormulationKind ordinary{
     "bonds",
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
-     {Feature::any_direction, "this kind of support needs because it mirrors or extends the lattice there"},
+     {Feature::any_direction, "these supports mirror or extend the lattice, at edges along x or y"},
      {Feature::lanczos, "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass"},
      {Feature::sections, "bonds share their weights by pattern, as one isotropic section makes them"},
      {Feature::stiffeners, "beams need points on their line, and bonds have theirs beside it"}},

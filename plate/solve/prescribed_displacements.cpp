@@ -160,12 +160,13 @@ LiftParts split_lift(const Formulation& plate, const State& lift) {
   return result;
 }
 
-PrescribedDisplacements::PrescribedDisplacements(const Formulation& plate, const Forces& load, const State& lift)
-    : plate_(plate), load_(load), lift_(lift) {}
+PrescribedDisplacements::PrescribedDisplacements(const Formulation& plate, const Forces& load, const State& lift,
+                                                 const Operator* stiffness)
+    : plate_(plate), stiffness_(stiffness ? *stiffness : plate), load_(load), lift_(lift) {}
 
 Forces PrescribedDisplacements::force(const State& state) const {
   Forces result;
-  plate_.internal_force(state, result);
+  stiffness_.internal_force(state, result);
   return result + load_;
 }
 

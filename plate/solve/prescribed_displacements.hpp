@@ -5,6 +5,7 @@
 namespace plate {
 
 class Formulation;
+class Operator;
 
 /// True where settlements prescribe displacements.
 bool has_prescribed_displacements(const Formulation& plate);
@@ -36,8 +37,10 @@ LiftParts split_lift(const Formulation& plate, const State& lift);
 /// (theory.md, "Supports that move").
 class PrescribedDisplacements {
 public:
-  /// `load`: that acts beside; not carried over. All must outlive this. A `lift` without columns: none.
-  PrescribedDisplacements(const Formulation& plate, const Forces& load, const State& lift);
+  /// `load`: that acts beside; not carried over. All must outlive this. A `lift` without columns: none. `stiffness`: in
+  /// place of the plate's own, as with given contact; null: that.
+  PrescribedDisplacements(const Formulation& plate, const Forces& load, const State& lift,
+                          const Operator* stiffness = nullptr);
 
   /// Load and internal force of a state.
   Forces force(const State& state) const;
@@ -55,6 +58,7 @@ public:
 
 private:
   const Formulation& plate_;
+  const Operator& stiffness_;
   const Forces& load_;
   const State& lift_;
 };

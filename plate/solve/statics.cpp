@@ -313,10 +313,9 @@ namespace {
 constexpr auto flies = "nothing holds the plate any more where its soil lets it lift off: it tips or flies off";
 
 /// A plate that flies off goes so far that rounding hides what is left of its load.
-void require_sound(const Formulation& plate, const Forces& load, const State& state) {
+void require_sound(const Formulation& plate, const Forces& load, const State& lift, const State& state) {
   constexpr double left = 1e-3;  // of the load
-  const State rests = no_state();
-  if (PrescribedDisplacements(plate, load, rests).residual(state).share > left) throw NumericalError(flies);
+  if (PrescribedDisplacements(plate, load, lift).residual(state).share > left) throw NumericalError(flies);
 }
 
 /// Collective: true where foundations are in contact at the same places on all ranks.
@@ -340,7 +339,7 @@ double potential(const Formulation& plate, const Forces& load, const State& stat
 }  // namespace
 
 /// The energy is convex and has a continuous slope: a step of Newton that does not lower it is halved until it does.
-StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& options) {
+StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& options, const State& lift) {
   constexpr int most = 60, halvings = 12;
   const auto& elastic_supports = plate_->boundary().elastic_supports;
   const auto energy = [&](const State& now) { return plate_->strain_energy(now) + potential(*plate_, load, now); };
@@ -351,7 +350,7 @@ StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& o
   for (int n = 0;; ++n) {
     const PlateInContact plate(*plate_, elastic_supports, touching);
     try {
-      result = solved(plate, load, options, false, n == 0 ? nullptr : &state);
+      result = lifted(plate, load, options, false, lift, n == 0 ? nullptr : &state);
     } catch (const NotPositive&) {
       throw NumericalError(flies);
     }
@@ -364,7 +363,7 @@ StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& o
     }
     auto now = elastic_supports.touching(solution.state);
     if (same_everywhere(*plate_, now, touching)) {
-      require_sound(*plate_, load, solution.state);
+      require_sound(*plate_, load, lift, solution.state);
       solution.stop_reason += fmt::format(", what soil touches found in {} steps", n + 1);
       return result;
     }
@@ -384,15 +383,15 @@ StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& o
   }
 }
 
-StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& options, bool again, const State& lift) {
-  if (plate_->boundary().elastic_supports.unilateral()) return in_contact(load, options);
-  if (lift.cols() == 0) return solved(*plate_, load, options, again);
+StaticResult StaticSolver::lifted(const Operator& plate, const Forces& load, const StaticOptions& options, bool again,
+                                  const State& lift, const State* start) {
+  if (lift.cols() == 0) return solved(plate, load, options, again, start);
   constexpr int most = 4;
-  const auto [rigid, rest] = split_lift(*plate_, lift);
-  const PrescribedDisplacements prescribed(*plate_, load, rest);
-  auto result = solved(*plate_, prescribed.pull(), options, again);
+  const PrescribedDisplacements prescribed(*plate_, load, lift, &plate);
+  const auto beside = start ? std::optional<State>(*start - lift) : std::nullopt;
+  auto result = solved(plate, prescribed.pull(), options, again, beside ? &*beside : nullptr);
   auto& [state, iterations, residual, converged, stop_reason] = result.solution;
-  state += rest;
+  state += lift;
   for (int n = 0; converged; ++n) {
     const auto left = prescribed.residual(state);
     residual = left.share;
@@ -400,11 +399,18 @@ StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& o
     if (converged || n == most) break;
     auto more = options;
     more.tolerance = std::max(options.tolerance / residual / 2, 1e-9);
-    const auto correction = solved(*plate_, left.force, more, false).solution;
+    const auto correction = solved(plate, left.force, more, false).solution;
     iterations += correction.iterations, converged = correction.converged, stop_reason = correction.stop_reason;
     state += correction.state;
   }
-  if (rigid.cols() > 0) result.strained = state, state += rigid;
+  return result;
+}
+
+StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& options, bool again, const State& lift) {
+  if (plate_->boundary().elastic_supports.unilateral()) return in_contact(load, options, lift);
+  const auto [rigid, rest] = split_lift(*plate_, lift);
+  auto result = lifted(*plate_, load, options, again, rest);
+  if (rigid.cols() > 0) result.strained = result.solution.state, result.solution.state += rigid;
   return result;
 }
 

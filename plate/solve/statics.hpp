@@ -99,7 +99,11 @@ private:
   /// `plate`: the plate, or what is linear in its place.
   StaticResult solved(const Operator& plate, const Forces& load, const StaticOptions& options, bool again,
                       const State* start = nullptr);
-  StaticResult in_contact(const Forces& load, const StaticOptions& options);
+  /// Solves as solved() does where supports have moved, and improves the state until it is good enough beside the
+  /// reactions.
+  StaticResult lifted(const Operator& plate, const Forces& load, const StaticOptions& options, bool again,
+                      const State& lift, const State* start = nullptr);
+  StaticResult in_contact(const Forces& load, const StaticOptions& options, const State& lift);
 
   const Formulation* plate_;
   StaticMethod method_;

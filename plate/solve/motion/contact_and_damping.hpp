@@ -55,11 +55,9 @@ public:
   bool damps() const { return !damping_.none(); }
   const Damping& damping() const { return damping_; }
   const std::optional<ImpactContact>& contact() const { return contact_; }
-  /// Force of stiffness-proportional damping alone, and its sum with the contact force; folded.
+  /// Force of stiffness-proportional damping alone, and its sum with the contact force; folded after fold().
   double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
   double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
-  /// Contact force alone; folded after fold(). Without columns where no mass meets the plate.
-  const Forces& pressed() const { return pressed_; }
   double dissipated() const { return dissipated_; }
 
   /// `force`: internal, not folded; `velocity`: half a step before, at step 0 that of time 0.

@@ -7,6 +7,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
+#include "plate/solve/motion/contact_and_damping.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 
@@ -63,6 +64,7 @@ void DrivenSupports::at(double time, double time_step, bool first) {
     one.before = first ? one.next : place_of(one, (step - 1) * time_step);  // from rest: u(dt) = a dt^2 / 2
     one.speed = (one.next - one.before) / (2 * dt_);
     one.acceleration = (one.next - 2 * one.now + one.before) / (dt_ * dt_);
+    one.strained = first ? 0 : (one.now - one.before) / dt_;
   }
 }
 
@@ -92,16 +94,21 @@ void DrivenSupports::leave_out(State& state) const {
 }
 
 template <typename Real>
-void DrivenSupports::take(Values<Real>& force, const Forces& contact) {
+void DrivenSupports::take(Values<Real>& force, const ContactAndDamping& beside) {
+  const auto& [alpha, beta] = beside.damping();
   for (auto& one : driven_) {
     auto& own = at_dof(force, one.dof);
-    one.force = double(own), one.contact = contact.cols() > 0 ? at_dof(contact, one.dof) : 0;
-    own -= Real(one.mass * one.acceleration);
+    const auto i = Eigen::Index(index_in_state(one.dof, std::size_t(force.cols())));
+    one.force = double(own), one.beside = beside.force(i);
+    one.inertia = one.mass * (one.acceleration + alpha * one.speed);
+    one.drag = alpha * one.mass * one.speed - beside.viscous(i);
+    one.strained *= beta;
+    own -= Real(one.inertia);
   }
 }
 
-template void DrivenSupports::take(Values<double>&, const Forces&);
-template void DrivenSupports::take(Values<float>&, const Forces&);
+template void DrivenSupports::take(Values<double>&, const ContactAndDamping&);
+template void DrivenSupports::take(Values<float>&, const ContactAndDamping&);
 
 namespace {
 
@@ -116,28 +123,30 @@ Terms(OfItself, OfLeader) -> Terms<OfItself, OfLeader>;  // clang 16 deduces non
 }  // namespace
 
 template <typename Real>
-void DrivenSupports::add_work(const State& state, const State& velocity, const Values<Real>& folded,
-                              const Forces& contact, double half) {
+void DrivenSupports::add_work(const Step& step, const Values<Real>& folded, const ContactAndDamping& beside) {
   if (!any()) return;
+  const double alpha = beside.damping().mass, half = step.step == 0 ? 0 : dt_ / 2;
   for (auto& leader : leaders_) {
     if (!leader.own) continue;
-    double force = double(at_dof(folded, leader.dof));
-    if (contact.cols() > 0) force += at_dof(contact, leader.dof);
+    const auto i = Eigen::Index(index_in_state(leader.dof, std::size_t(folded.cols())));
+    double force = double(folded.data()[i]) + beside.force(i);
     for (std::size_t l = 0; l < histories_.size(); ++l) force += factor(histories_[l], time_) * leader.loads[l];
+    const double v = step.velocity.data()[i];
     leader.acceleration = force * leader.inverse_mass;
-    leader.velocity = at_dof(velocity, leader.dof) + half * leader.acceleration;
+    if (alpha > 0) leader.acceleration = (leader.acceleration - alpha * v) / (1 + alpha * dt_ / 2);
+    leader.velocity = v + half * leader.acceleration;
+    leader.since = 2 * half * v, leader.ahead = dt_ * (v + (dt_ / 2 + half) * leader.acceleration);
   }
-  for (auto& one : driven_) one.follows_at = at_dof(state, one.dof) - one.now;
+  for (auto& one : driven_) one.follows_at = at_dof(step.state, one.dof) - one.now;
   const auto on_the_way = [](const Driven& one, double reaction, const auto& add) {
     add(0, reaction * (one.now - one.before)), add(1, reaction * (one.next - one.now)), add(2, reaction * one.now);
   };
-  const auto [since, ahead, slowly] =
-      sum<3>(Terms{[&](const Driven& one, const auto& add) {
-                     on_the_way(one, one.mass * one.acceleration - one.force - one.contact, add);
-                   },
-                   [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
-                     on_the_way(one, mass * leader.acceleration, add);
-                   }});
+  const auto [since, ahead, slowly] = sum<3>(
+      Terms{[&](const Driven& one, const auto& add) { on_the_way(one, one.inertia - one.force - one.beside, add); },
+            [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
+              on_the_way(one, mass * (leader.acceleration + alpha * leader.velocity), add);
+            }});
+  if (beside.damps()) add_losses(alpha);
   if (counted_)
     work_ += (since + ahead_) / 2;
   else if (slow_)
@@ -145,17 +154,33 @@ void DrivenSupports::add_work(const State& state, const State& velocity, const V
   ahead_ = ahead, counted_ = true;
 }
 
-template void DrivenSupports::add_work(const State&, const State&, const Values<double>&, const Forces&, double);
-template void DrivenSupports::add_work(const State&, const State&, const Values<float>&, const Forces&, double);
+template void DrivenSupports::add_work(const Step&, const Values<double>&, const ContactAndDamping&);
+template void DrivenSupports::add_work(const Step&, const Values<float>&, const ContactAndDamping&);
+
+/// The damping force on the whole velocity, along the way of what is held, and its part by the speed of that along the
+/// way of what leads.
+void DrivenSupports::add_losses(double mass_damping) {
+  const auto [since, ahead] =
+      sum<2>(Terms{[](const Driven& one, const auto& add) {
+                     add(0, one.drag * (one.now - one.before)), add(1, one.drag * (one.next - one.now));
+                   },
+                   [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
+                     const double drag = mass_damping * mass;
+                     add(0, drag * (leader.velocity * (one.now - one.before) + one.speed * leader.since));
+                     add(1, drag * (leader.velocity * (one.next - one.now) + one.speed * leader.ahead));
+                   }});
+  if (counted_) dissipated_ += (since + lost_ahead_) / 2;
+  lost_ahead_ = ahead;
+}
 
 void DrivenSupports::complete(Instant& seen) const {
   if (!any()) return;
-  seen.external_work += work_;
+  seen.external_work += work_, seen.dissipated += dissipated_;
   const auto [kinetic, of_change, strain] =
       sum<3>(Terms{[](const Driven& one, const auto& add) {
                      add(0, one.mass / 2 * one.speed * one.speed);
                      add(1, one.mass / 2 * one.acceleration * one.acceleration);
-                     add(2, (one.mass * one.acceleration * one.follows_at + one.force * one.now) / 2);
+                     add(2, (one.inertia * one.follows_at + one.force * one.now) / 2);
                    },
                    [](const Driven& one, double mass, const Leader& leader, const auto& add) {
                      add(0, mass * leader.velocity * one.speed), add(1, mass * leader.acceleration * one.acceleration);
@@ -172,15 +197,16 @@ void DrivenSupports::complete(Instant& seen) const {
   };
   seen.velocity = add(std::move(seen.velocity), *this, &Driven::speed);
   seen.acceleration = add(std::move(seen.acceleration), *this, &Driven::acceleration);
+  if (seen.strained) seen.strained = add(std::move(seen.strained), *this, &Driven::strained);
 }
 
 std::vector<double> DrivenSupports::memory() const {
-  return any() ? std::vector<double>{work_, ahead_} : std::vector<double>{};
+  return any() ? std::vector<double>{work_, ahead_, dissipated_, lost_ahead_} : std::vector<double>{};
 }
 
 void DrivenSupports::restore(const std::vector<double>& memory) {
   if (memory.empty()) return;
-  work_ = memory[0], ahead_ = memory[1], counted_ = true;
+  work_ = memory[0], ahead_ = memory[1], dissipated_ = memory[2], lost_ahead_ = memory[3], counted_ = true;
 }
 
 void DrivenSupports::start() {

@@ -9,11 +9,14 @@
 namespace plate {
 
 class Constraints;
+class ContactAndDamping;
 struct Instant;
+struct Step;
 struct TimedLoad;
 
 /// Held degrees of freedom in a motion by time steps whose settlements move them: their displacement, the forces that
-/// their mass adds, and the work of the supports (theory.md, "Supports that move"). Without settlements it holds
+/// their mass and its damping add, the work of the supports, and what damping takes of it (theory.md, "Supports that
+/// move"). Without settlements it holds
 /// nothing and does nothing. On a distributed plate, each rank adds the terms of a held degree of freedom alone where
 /// it owns that, and its terms with a leader where it owns the leader: the sums are the same on all ranks.
 class DrivenSupports {
@@ -34,19 +37,18 @@ public:
   void place(State& state, double time) const;
   /// Subtracts from a state where the supports are now: the rest is what loads work on.
   void leave_out(State& state) const;
-  /// Takes the internal force in hand, and adds the inertia of what is held to it, before it is carried over.
-  /// `contact`: force of a mass that presses on the plate, without columns where none does.
+  /// Takes the internal force in hand, and adds the inertia of what is held, and the drag on it, before it is carried
+  /// over. `beside`: contact and damping, not folded yet.
   template <typename Real>
-  void take(Values<Real>& force, const Forces& contact);
-  /// Adds, after that, the work of the supports up to now. `half`: step from the velocity to that of now; `contact`:
-  /// folded.
+  void take(Values<Real>& force, const ContactAndDamping& beside);
+  /// Adds, after that, the work of the supports up to now and what damping has taken. `beside`: folded.
   template <typename Real>
-  void add_work(const State& state, const State& velocity, const Values<Real>& folded, const Forces& contact,
-                double half);
+  void add_work(const Step& step, const Values<Real>& folded, const ContactAndDamping& beside);
 
   double work() const { return work_; }
-  /// Adds the contributions of the held degrees of freedom to kinetic energies, strain energy, velocities and
-  /// accelerations, which those of the free ones leave out, and the work of the supports to the external work.
+  /// Adds the contributions of the held degrees of freedom to kinetic energies, strain energy, dissipated energy,
+  /// velocities and accelerations, which those of the free ones leave out, and the work of the supports to the external
+  /// work.
   void complete(Instant& seen) const;
 
   /// The numbers to go on from.
@@ -60,6 +62,7 @@ private:
     Dof dof;
     bool own;
     double inverse_mass, acceleration = 0, velocity = 0;
+    double since = 0, ahead = 0;     // what it moves by in the steps before and after
     std::vector<double> loads = {};  // folded, of every load at factor 1
   };
   struct Driven {
@@ -71,9 +74,12 @@ private:
     double before = 0, now = 0, next = 0;                      // where it is
     double speed = 0, acceleration = 0;                        // its own, beside what it follows
     double follows_at = 0;
-    double force = 0, contact = 0;  // internal, of the mass that presses
+    double force = 0, beside = 0;  // internal; of damping by the stiffness and the mass that presses
+    double inertia = 0, drag = 0;  // with the drag on its mass; all damping of its own [force]
+    double strained = 0;           // by which damping by the stiffness strains it (Instant::strained)
   };
   double place_of(const Driven& one, double time) const;
+  void add_losses(double mass_damping);
   template <std::size_t N, typename Terms>
   std::array<double, N> sum(const Terms& terms) const;
 
@@ -83,7 +89,8 @@ private:
   std::vector<Leader> leaders_;
   std::vector<Driven> driven_;
   double time_ = 0, dt_ = 0, work_ = 0;
-  double ahead_ = 0;  // work of the reactions of the call before on the way until now
+  double ahead_ = 0;                        // work of the reactions of the call before on the way until now
+  double dissipated_ = 0, lost_ahead_ = 0;  // by damping, beside what that of the free ones takes [energy]
   bool counted_ = false, slow_ = false;
 };
 

@@ -152,13 +152,15 @@ void move(const Step& now, const Values<Real>& force, const Masses& masses,
 /// state, where that may be on its way.
 template <typename Real, typename InternalForce>
 std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, const Constraints& constraints,
-                                           const Step& now, PendingExchange* rest, bool on_held, Values<Real>& force,
-                                           ContactAndDamping& contact_and_damping) {
+                                           const DrivenSupports& driven, const Step& now, PendingExchange* rest,
+                                           bool on_held, Values<Real>& force, ContactAndDamping& contact_and_damping) {
   internal_force(now.state, rest, force);
   if constexpr (std::is_same_v<Real, double>)
     if (contact_and_damping.acts())
       contact_and_damping.find(now.state, now.velocity, force, [&](State of) {
         PendingExchange rest_of(constraints, of);
+        if (driven.any() && now.step > 0)  // the state of the step before
+          rest_of.complete(), driven.place(of, double(now.step - 1) * now.time_step);
         Forces result;
         internal_force(of, &rest_of, result);
         return result;
@@ -208,9 +210,9 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     if (options.changes) options.changes->before_force(now);
     const bool observed = row || stops;
     driven.at(time, dt, step == 0);
-    auto held_force = find_forces(internal_force, constraints, now, rest ? &*rest : nullptr,
+    auto held_force = find_forces(internal_force, constraints, driven, now, rest ? &*rest : nullptr,
                                   observed && options.held_forces, force, contact_and_damping);
-    driven.take(force, contact_and_damping.pressed());
+    driven.take(force, contact_and_damping);
     std::optional<Values<Real>> own;  // of the plate alone
     if (options.changes && travelling.any()) constraints.fold(own.emplace(force));
     const auto free = state_that_loads_move(state, driven, travelling);
@@ -220,7 +222,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       if (options.changes) options.changes->after_force(now, own ? *own : force);
     if (masses.varies()) masses.at(time);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
-    driven.add_work(state, velocity, force, contact_and_damping.pressed(), step == 0 ? 0 : dt / 2);
+    driven.add_work(now, force, contact_and_damping);
     const auto [before, after] =
         contact_and_damping.damps() ? losses(now, force, masses, contact_and_damping) : std::array<double, 2>{0, 0};
     if (observed) {

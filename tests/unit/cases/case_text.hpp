@@ -61,10 +61,11 @@ inline cases::CaseFile read(const std::string& text, const std::vector<std::stri
 }
 
 /// The problems of a text, with the file's name removed from their places: ":12", "--set KEY".
-inline std::vector<cases::Problem> problems(const std::string& text, const std::vector<std::string>& overrides = {}) {
+inline std::vector<cases::Problem> problems(const std::string& text, const std::vector<std::string>& overrides = {},
+                                            bool distributed = false) {
   const File file(text);
   try {
-    cases::read_case(file.path(), overrides);
+    cases::read_case(file.path(), overrides, distributed);
   } catch (const cases::CaseError& error) {
     auto found = error.problems();
     for (auto& problem : found)

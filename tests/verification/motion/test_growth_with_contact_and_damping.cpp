@@ -72,6 +72,12 @@ cases::Case moved() {
   return c;
 }
 
+cases::Case moved_and_damped() {
+  auto c = moved();
+  c.analysis.damping = {0.3, 0.0};
+  return c;
+}
+
 cases::Case travelled() {
   auto c = square();
   c.loads = {Load{
@@ -80,7 +86,12 @@ cases::Case travelled() {
 }
 
 std::vector<std::pair<std::string, cases::Case>> scenes() {
-  return {{"damped", damped()}, {"thrown", thrown()}, {"hit", hit()}, {"moved", moved()}, {"travelled", travelled()}};
+  return {{"damped", damped()},
+          {"thrown", thrown()},
+          {"hit", hit()},
+          {"moved", moved()},
+          {"moved and damped", moved_and_damped()},
+          {"travelled", travelled()}};
 }
 
 struct Found {

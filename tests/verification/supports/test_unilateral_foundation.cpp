@@ -8,7 +8,9 @@
 #include "plate/formulations.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
+#include "post/report/reactions.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
@@ -35,7 +37,8 @@ Load force_at(const Point& x, double value) {
 }
 
 StaticSolution solved(const Formulation& plate, StaticMethod method = StaticMethod::cg) {
-  const auto found = solve_static(plate, plate.total_load(), method, Preconditioning::automatic, {1e-9, 200000, {}});
+  const auto found = solve_static(plate, plate.total_load(), method, Preconditioning::automatic, {1e-9, 200000, {}},
+                                  total_lift(plate));
   REQUIRE(found.solution.converged);
   return found.solution;
 }
@@ -211,5 +214,121 @@ TEST_CASE("in motion a plate leaves its soil and comes back with the energy that
     CHECK(least[0] < 0.5);  // it leaves the soil
     CHECK(imbalance[0] < 0.01);
     CHECK(imbalance[1] < imbalance[0] / 2);
+  }
+}
+
+namespace {
+
+Load settlement(std::size_t support, double value, const Point& slope = {0, 0}) {
+  return {Settlement{.support = support, .value = value, .slope = slope}};
+}
+
+post::Balance balance(const Formulation& plate, const State& state) {
+  const post::Supports supports(plate.boundary());
+  Forces internal;
+  plate.internal_force(state, internal);
+  return supports.balance(plate.constraints().on_held(internal), supports.applied(plate.total_load()), nullptr, state);
+}
+
+/// Work of loads and supports that have grown slowly.
+double slow_work(const Formulation& plate, const State& state) {
+  const auto load = plate.total_load();
+  const auto lift = total_lift(plate);
+  return load.cwiseProduct(state).sum() / 2 + PrescribedDisplacements(plate, load, lift).work(state);
+}
+
+/// Clamped on the left, a pin on the right, weight and soil beneath all of it.
+cases::Case pinned_on_soil(const FormulationKind* kind, double pin) {
+  auto c = on_soil(kind, geometry::rectangle(0, 0, 2, 1), 0.1, 40);
+  c.supports = {vp::held(SupportKind::clamped, {"left"}), {SupportKind::pinned, {}, {{1.65, 0.45}}}};
+  c.loads = {settlement(1, pin), Load{Pressure{.value = -0.5}}};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("supports that push the plate into soil find Winkler's, supports that take it off find none", "[soil]") {
+  for (const auto* kind : formulations())
+    for (const double value : {-0.05, 0.05}) {
+      auto c = on_soil(kind, geometry::rectangle(0, 0, 1, 1), 0.1, 40);
+      c.supports = {vp::held(SupportKind::clamped, {"left"}), vp::held(SupportKind::simply_supported, {"right"})};
+      c.loads = {settlement(0, value), settlement(1, value)};
+      const auto lifts = vp::assembled(c);
+      const auto u = solved(*lifts).state;
+      c.foundations[0].unilateral = false;
+      if (value > 0) c.foundations.clear();
+      const auto other = vp::assembled(c);
+      const auto v = solved(*other).state;
+      CAPTURE(kind->name, value);
+      CHECK(lifts->boundary().elastic_supports.contact_share(u) == (value > 0 ? 0 : 1));
+      CHECK((u - v).cwiseAbs().maxCoeff() < 1e-7 * std::abs(value));
+      CHECK(std::abs(lifts->strain_energy(u) - other->strain_energy(v)) < 1e-6 * 40 * value * value / 2);
+      if (value < 0) CHECK(slow_work(*lifts, u) == Approx(lifts->strain_energy(u)).epsilon(1e-6));
+      CHECK(std::abs(balance(*lifts, u).supports[0].force) < (value > 0 ? 1e-9 : 40.0 * 0.05));
+    }
+}
+
+TEST_CASE("a pin that takes a plate off its soil in part pulls with the force that would do so", "[soil]") {
+  for (const auto* kind : formulations())
+    for (const double value : {0.06, -0.06}) {
+      auto c = pinned_on_soil(kind, value);
+      const auto plate = vp::assembled(c);
+      const auto u = solved(*plate).state;
+      const double touches = plate->boundary().elastic_supports.contact_share(u), size = u.cwiseAbs().maxCoeff();
+      const auto found = balance(*plate, u);
+      const double force = found.supports[1].force;
+      CAPTURE(kind->name, value, touches, force);
+      CHECK(force * value > 0);
+      CHECK(touches > 0.05);
+      if (value > 0) CHECK(touches < 0.95);
+      CHECK(found.residual < 1e-6);
+      CHECK(slow_work(*plate, u) == Approx(plate->strain_energy(u)).epsilon(1e-6));
+      for (const auto method : {StaticMethod::direct, StaticMethod::adr})
+        CHECK((u - solved(*plate, method).state).cwiseAbs().maxCoeff() < 1e-4 * size);
+      for (auto& load : c.loads) scale(load, 2);
+      CHECK((2 * u - solved(*vp::assembled(c)).state).cwiseAbs().maxCoeff() < 1e-5 * size);
+      c = pinned_on_soil(kind, value);
+      c.supports.pop_back();
+      c.loads[0] = force_at({1.65, 0.45}, force);
+      CHECK((u - solved(*vp::assembled(c)).state).cwiseAbs().maxCoeff() < 1e-5 * size);
+    }
+}
+
+TEST_CASE("a plate that a pin takes off its soil in time keeps the balance of energies, and rests where it rests",
+          "[soil]") {
+  for (const auto* kind : formulations()) {
+    auto c = pinned_on_soil(kind, 0.1);
+    const auto resting = vp::assembled(c);
+    const auto u = solved(*resting).state;
+    const auto run = [](const Formulation& plate, const State& start, const auto& see) {
+      DynamicOptions options;
+      options.time_step = 0.4 * stable_time_step(plate, 1), options.steps = std::size_t(1.5 / options.time_step);
+      options.observe_every = 5, options.start = start, options.unconstrained_mass = driven_mass(plate, 1);
+      central_differences(plate, plate.constraints(), plate.mass(), plate.loads(), options, see);
+    };
+    const double strain = resting->strain_energy(u);
+    CAPTURE(kind->name, strain);
+    run(*resting, u, [&](const Instant& now) {  // found to 1e-9
+      if (now.step % 50 != 0) return;
+      CHECK((now.state - u).cwiseAbs().maxCoeff() < 1e-5 * u.cwiseAbs().maxCoeff());
+      CHECK(now.external_work == Approx(strain).epsilon(1e-5));
+      CHECK(now.kinetic_energy < 1e-8 * strain);
+    });
+    auto& history = c.loads[0].history;
+    history.kind = History::Kind::table;
+    for (int i = 0; i <= 100; ++i)
+      history.table.emplace_back(0.012 * i, (1 - std::cos(std::numbers::pi * 0.01 * i)) / 2);
+    const auto moving = vp::assembled(c);
+    double worst = 0, most = 0, least = 1, largest = 0;
+    run(*moving, {}, [&](const Instant& now) {
+      worst = std::max(worst, std::abs(now.strain_energy + now.discrete_kinetic_energy - now.external_work));
+      most = std::max(most, now.strain_energy + now.discrete_kinetic_energy);
+      const double touches = moving->boundary().elastic_supports.contact_share(now.state);
+      least = std::min(least, touches), largest = std::max(largest, touches);
+    });
+    CAPTURE(worst / most, least, largest);
+    CHECK(least < 0.7);
+    CHECK(largest > least + 0.2);
+    CHECK(worst < 0.01 * most);
   }
 }

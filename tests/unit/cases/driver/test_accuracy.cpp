@@ -114,8 +114,8 @@ TEST_CASE("accuracy: what it cannot be had with is refused") {
   };
   refused({"discretization.formulation=ordinary"}, "needs the Galerkin plate");
   refused({"discretization.surface_correction=none"}, "auto: the case asks for surface_correction");
-  refused({"growth.fracture_energy=1"}, "is not available with [growth]");
-  refused({"srif.richardson=true"}, "has estimates of its own");
+  refused({"growth.fracture_energy=1"}, "finds a spacing for one crack");
+  refused({"srif.richardson=true"}, "estimates the error itself");
   refused({"srif.methods=[\"domain_integral\", \"series_fit\"]"}, "add \"virtual_crack_extension\"");
   refused({"srif.accuracy=0"}, "must be a number in [1e-05, 0.2]");
   const auto without = case_text::problems(text.substr(0, text.find("accuracy")) + text.substr(text.find("[output]")));

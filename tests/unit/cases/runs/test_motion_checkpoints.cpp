@@ -96,7 +96,8 @@ TEST_CASE("a motion in parts that was kept goes on by another number of processe
     file.content.impact = plate::Impact{{0.305, 0.325}, 1e-3, -1, 1e5};
     tables = 4;
   }
-  SECTION("with supports that move") {
+  SECTION("with supports that move, perhaps damped") {
+    if (GENERATE(false, true)) file.content.analysis.damping = plate::Damping{0.5, 1e-5};
     auto& settlement = file.content.loads.emplace_back();
     settlement.action = plate::Settlement{.value = 0.1, .rotation = 0.2};
     settlement.history.kind = plate::History::Kind::table, settlement.history.table = {{0, 0}, {0.01, 0.1}, {0.02, 1}};

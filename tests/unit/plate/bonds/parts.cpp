@@ -12,6 +12,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
 #include "plate/solve/plate_in_contact.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 
@@ -117,7 +118,8 @@ Rest at_rest(const Problem& given, StaticMethod method, Preconditioning wanted, 
   const auto problem = own(given);
   const auto plate = discretise(problem, all).plate;
   const auto part = part_of_lattice(all, problem.outline, problem.discretization);
-  const auto found = solve_static(*plate, plate->total_load(), method, wanted, {1e-7, 20000, {}}).solution;
+  const auto found =
+      solve_static(*plate, plate->total_load(), method, wanted, {1e-7, 20000, {}}, total_lift(*plate)).solution;
   if (!found.converged) throw std::runtime_error("the plate has no equilibrium");  // in any of several threads
   Rest rest{found.iterations, plate->strain_energy(found.state), {}, {}};
   for (const auto& piece : plate->pieces())

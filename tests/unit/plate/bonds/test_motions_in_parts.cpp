@@ -32,6 +32,9 @@ TEST_CASE("a plate in parts: a deflection and a velocity to begin with, damping 
   SECTION("damped") {
     check(problem, {false, {30, 1e-5}});
   }
+  SECTION("in single precision, damped by the mass") {
+    check(problem, {true, {30, 0}});
+  }
   SECTION("by the stiffness alone, beside a load") {
     problem.initial->deflection = {}, problem.loads = {pressure(2)};
     check(problem, {false, {0, 1e-4}});
@@ -137,6 +140,12 @@ TEST_CASE("a plate in parts: supports that move, an edge that turns, a pin, acro
     check(problem, {true});
     return;
   }
+  SECTION("damped by mass and stiffness") {
+    problem.supports = {{clamped, {"left"}, {}}, {simply_supported, {"top", "right"}, {}}};
+    problem.loads = {turned(settlement(0, 0.01, 0.003)), settlement(1, -0.01, 0.002), pressure(1)};
+    check(problem, {false, {30, 1e-5}, 40});
+    return;
+  }
   SECTION("oblique edges") {
     problem.outline = {};
     problem.outline.outer.vertices = {{0, 0}, {4.1, 0.03}, {4.0, 0.9}, {1.3, 1.25}};
@@ -154,6 +163,12 @@ TEST_CASE("a plate in parts: soil that lifts off, in motion and at rest") {
   SECTION("in motion") {
     check(problem, {false, {30, 0}, 60});
   }
+  SECTION("in motion, beside an edge that rises") {
+    Load rises{Settlement{.value = 0.01, .slope = {0, 0.005}}};
+    rises.history.kind = History::Kind::table, rises.history.table = {{0, 0}, {0.001, 0.3}, {0.003, 1}};
+    problem.loads = {rises};
+    check(problem, {false, {30, 0}, 60});
+  }
   SECTION("at rest") {
     problem.initial.reset();
     problem.discretization.spacing = 0.02;
@@ -163,5 +178,7 @@ TEST_CASE("a plate in parts: soil that lifts off, in motion and at rest") {
     problem.loads = {wheel, pressure(0.01)};
     check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
     check_rest(problem, StaticMethod::cg, Preconditioning::two_level, 1e-12);
+    problem.loads.push_back({Settlement{.value = 0.003, .slope = {0.001, 0}}});
+    check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
   }
 }

@@ -31,7 +31,7 @@ TEST_CASE("temperatures are refused where a plate could not bend freely, all rea
   const auto varies = problems(turned + "[[load]]\nkind = \"temperature\"\nexpression = \"20 * x\"\n");
   REQUIRE(varies.size() == 1);
   CHECK(varies[0].key == "load[1].expression");
-  expect(plain + load, "--set growth.fracture_energy", "growth", "know no temperature",
+  expect(plain + load, "--set growth.fracture_energy", "growth", "no account of temperature",
          {"section.thermal_expansion=1e-5", "growth.fracture_energy=1", "section.density=1", "analysis.kind=dynamic",
           "analysis.duration=1"});
 }

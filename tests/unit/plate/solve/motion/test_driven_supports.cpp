@@ -2,6 +2,7 @@
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/solve/motion/contact_and_damping.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;
@@ -26,8 +27,13 @@ TEST_CASE("without settlements nothing is driven, with them what is held is wher
   CHECK(state(0, 1) == Approx(-0.625));
   CHECK(state(0, 2) == 0);
   Forces force = Forces::Constant(3, 3, 2);
-  driven.take(force, plate::zero_forces(0));  // no acceleration
+  driven.take(force, ContactAndDamping({}, state));  // no acceleration
   CHECK(force == Forces::Constant(3, 3, 2));
+  DynamicOptions damped;
+  damped.mass_damping = 10;
+  driven.take(force, ContactAndDamping(damped, state));  // the speed is that of the history
+  CHECK(force(0, 0) == Approx(2 - 10 * 0.5));
+  CHECK(force(0, 1) == Approx(2 + 10 * 1));
   const auto memory = driven.memory();
   DrivenSupports other(loads, constraints, mass, mass);
   other.restore(memory);
