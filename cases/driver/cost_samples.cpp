@@ -159,7 +159,7 @@ std::string of_run(const CaseFile& file, int processes) {
 
 /// Describes the plate, with the warnings and refusals of the run, where the plate is small enough to be made at once.
 std::string of_plate(const CaseFile& file) {
-  auto [plate, warnings, stopwatch] = discretised(file);
+  auto [plate, membrane, warnings, stopwatch] = discretised(file);
   check_growing_tips(file, *plate, warnings);
   tip_methods(file, *plate);
   std::string text =

@@ -46,6 +46,8 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   const auto& plate = *result.plate;
   const auto suits = plate::validate(plate, c.analysis);
   auto problems = problems_of(file, suits.refusals);
+  if (result.membrane)
+    for (auto& problem : problems_of(file, plate::loose(*result.membrane))) problems.push_back(std::move(problem));
   check_places(file, plate, problems);
   if (!problems.empty()) throw CaseError(problems);
   auto& warnings = result.warnings;
@@ -123,7 +125,8 @@ plate::BeginOfMotion begin_of(const CaseFile& file, const plate::Formulation& pl
 
 Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : file(std::move(wanted)) {
   auto found = discretised(file, communicator);
-  plate = std::move(found.plate), warnings = std::move(found.warnings), stopwatch = found.stopwatch;
+  plate = std::move(found.plate), membrane = std::move(found.membrane), warnings = std::move(found.warnings),
+  stopwatch = found.stopwatch;
   const Case& c = file.content;
   if (c.analysis.kind == Analysis::Kind::dynamic) {
     begin = begin_of(file, *plate);
@@ -146,6 +149,7 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
   if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
     compare_under_pressure(*plate, c, warnings), stopwatch.lap("second_formulation");
   tip_methods = cases::tip_methods(file, *plate);
+  if (membrane) membrane_methods = cases::tip_methods(file, *membrane);
   for (auto& one : post::warnings_about_ligaments(*plate)) warnings.push_back(std::move(one));
   stopwatch.lap("srif");
 }

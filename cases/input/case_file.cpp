@@ -117,6 +117,7 @@ std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem)
                                                           {support, "support"},
                                                           {support_kind, "support[{}].kind"},
                                                           {support_points, "support[{}].points"},
+                                                          {support_in_plane, "support[{}].in_plane"},
                                                           {support_line, "support[{}].along"},
                                                           {support_patch, "support[{}].on"},
                                                           {support_edges, "support[{}].edges"},

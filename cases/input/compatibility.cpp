@@ -5,9 +5,8 @@
 #include <array>
 
 #include "cases/input/case_file.hpp"
-#include "plate/bonds/ordinary_plate.hpp"
-#include "plate/edges/surface_formulation.hpp"
-#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/formulations.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 
 namespace cases {
@@ -15,7 +14,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 32> words{{
+constexpr std::array<std::pair<Part, std::string_view>, 33> words{{
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -27,6 +26,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 32> words{{
     {stiffness_damping, "`analysis.damping.stiffness` of a motion"},
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
+    {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`)"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
     {temperature, "a load of kind `\"temperature\"`"},
     {load_cases, "`[[case]]`"},
@@ -51,7 +51,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 32> words{{
 }};
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 20> features{{
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 21> features{{
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -72,6 +72,7 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 20> features{{
     {plate::Feature::running_tips, "`[growth]` of tips in motion"},
     {plate::Feature::sections, "plies, directions, regions or factors of the section"},
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
+    {plate::Feature::in_plane, "loads in the plane"},
 }};
 
 std::string by_one_process(const char* what) {
@@ -82,6 +83,8 @@ constexpr const char* own_estimates = "estimates the error itself: remove srif.r
 constexpr const char* equilibria =
     "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
+constexpr const char* in_plane_at_rest = "loads in the plane are carried at rest: choose \"static\"";
+constexpr const char* of_bending = "compares factors of bending, not N1 and N2 of loads in the plane: remove it";
 constexpr const char* layer_kinds = "support[].kind";
 
 const std::vector<Exclusion> excluded_pairs{
@@ -169,6 +172,15 @@ const std::vector<Exclusion> excluded_pairs{
     {processes, layers, layer_kinds, by_one_process("layers cannot be run")},
     {processes, second_formulation, "srif.second_formulation", by_one_process("a second formulation cannot be run")},
     {processes, factors_to_accuracy, "srif.accuracy", by_one_process("spacings cannot be sought")},
+    {load_in_plane, motion, "analysis.kind", in_plane_at_rest},
+    {load_in_plane, harmonic, "analysis.kind", in_plane_at_rest},
+    {load_in_plane, growth, "growth", "loads in the plane do not drive the growth of cracks yet: remove one of them"},
+    {load_in_plane, load_cases, "case",
+     "load cases have no loads in the plane yet: give these a case file of their own"},
+    {load_in_plane, factors_to_accuracy, "srif.accuracy", of_bending},
+    {load_in_plane, richardson, "srif.richardson", of_bending},
+    {load_in_plane, second_formulation, "srif.second_formulation", of_bending},
+    {load_in_plane, processes, "load", by_one_process("loads in the plane cannot be run")},
 };
 
 }  // namespace
@@ -202,6 +214,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
   add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
+  add(plate::loaded_in_plane(content), load_in_plane);
   add(content.unilateral(), unilateral_foundation);
   add(plate::heated(content), temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
@@ -262,8 +275,13 @@ std::string exclusion_list() {
   for (const auto& [one, other, key, reason] : exclusions())
     text += fmt::format("- {} and {}.\n  `{}` {}\n", words_of(one), words_of(other), key, reason);
   text += "\n## What a formulation lacks\n\n";
-  for (const auto* kind :
-       {&plate::galerkin, &plate::ordinary, &plate::bonds_with_surface_nodes, &plate::bonds_with_fictitious_nodes})
+  auto kinds = plate::formulations();
+  for (const auto nodes : {plate::EdgeMethod::surface_nodes, plate::EdgeMethod::fictitious_nodes}) {
+    plate::Discretization on_edges;
+    on_edges.formulation = kinds.back(), on_edges.boundary = nodes;
+    kinds.push_back(&plate::formulation_of(on_edges));
+  }
+  for (const auto* kind : kinds)
     for (const auto& [feature, words] : features)
       if (!kind->offers(feature)) text += fmt::format("- {}: {}.\n  {}\n", kind->words, words, kind->lacks.at(feature));
   return text;

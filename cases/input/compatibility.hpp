@@ -23,6 +23,7 @@ enum class Part {
   stiffness_damping,
   settlement,
   moving_load,
+  load_in_plane,
   unilateral_foundation,
   temperature,
   load_cases,

@@ -64,12 +64,20 @@ void add_growth(const Case& content, std::vector<Asked>& found) {
     add("unstable = \"move\"", Feature::running_tips);
 }
 
+void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {
+  for (std::size_t i = 0; i < problem.loads.size(); ++i)
+    if (problem.loads[i].in_plane())
+      found.push_back({"loads in the plane", key_of_load(problem, i) + ".kind", Feature::in_plane, true,
+                       "choose formulation = \"galerkin\", or remove it"});
+}
+
 void add_section(const plate::Problem& problem, std::vector<Asked>& found) {
   const auto& section = problem.section;
   const std::string remedy = "choose formulation = \"galerkin\", or remove it";
   const auto add = [&](bool asked, const std::string& words, const std::string& key) {
     if (asked) found.push_back({words, key, Feature::sections, true, remedy});
   };
+  add_loads_in_plane(problem, found);
   if (!problem.stiffeners.empty()) found.push_back({"stiffeners", "stiffener", Feature::stiffeners, true, remedy});
   add(section.orthotropic.has_value(), "an orthotropic section", "section.orthotropic");
   add(!section.plies.empty(), "a section of plies", "section.plies");

@@ -127,9 +127,12 @@ Fields<plate::Stiffener> stiffener_fields() {
 
 namespace {
 
+using plate::BodyForce;
 using plate::EdgeMoment;
 using plate::EdgeShear;
+using plate::EdgeTraction;
 using plate::History;
+using plate::InPlane;
 using plate::LineLoad;
 using plate::Load;
 using plate::PointForce;
@@ -147,7 +150,13 @@ const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
                                         {"clamped_layer", SupportKind::clamped_layer},
                                         {"simply_supported_layer", SupportKind::simply_supported_layer},
                                         {"simply_supported_hard_layer", SupportKind::simply_supported_hard_layer},
-                                        {"pinned", SupportKind::pinned}}};
+                                        {"pinned", SupportKind::pinned},
+                                        {"in_plane", SupportKind::in_plane}}};
+
+const Words<InPlane> in_plane_words{{{"free", InPlane::free},
+                                     {"fixed", InPlane::fixed},
+                                     {"normal", InPlane::normal},
+                                     {"tangential", InPlane::tangential}}};
 
 Words<Load::Action> load_kinds() {
   Words<Load::Action> result;
@@ -222,13 +231,16 @@ const auto edges_of =
     OfAction(std::vector<std::string>{}, [](auto& one) -> decltype((one.edges)) { return one.edges; });
 const auto formula_in = OfAction(plate::Formula{}, [](auto& one) -> decltype((one.formula)) { return one.formula; });
 const auto support_of = OfAction(std::size_t{}, [](auto& one) -> decltype((one.support)) { return one.support; });
+const auto shear_of = OfAction(double{}, [](auto& one) -> decltype((one.shear)) { return one.shear; });
+const auto vector_of = OfAction(geometry::Point(0, 0), [](auto& one) -> decltype((one.vector)) { return one.vector; });
 const auto rotation_of = OfAction(double{}, [](auto& one) -> decltype((one.rotation)) { return one.rotation; });
 
 const auto table_of = OfAction(plate::PressureTable{}, [](auto& one) -> decltype((one.table)) { return one.table; });
 
 Field<Load> tensor() {
   return value<Load>(
-      {"tensor", "force", "[Mxx, Myy, Mxy]", "", "moments of a uniform field on the edges, instead of value and twist"},
+      {"tensor", "force, force/length", "[Mxx, Myy, Mxy]", "",
+       "moments, or membrane forces Nxx, Nyy, Nxy, of a uniform field on the edges, instead of value, twist and shear"},
       [](const Value& given, Load& load) {
         const auto moments = given.numbers(3, "[Mxx, Myy, Mxy]");
         if (moments) tensor_of(load) = {(*moments)[0], (*moments)[1], (*moments)[2]};
@@ -346,8 +358,9 @@ Field<Load> amount(const std::string& name, const std::string& unit, Project pro
 Fields<Support> support_fields() {
   const Condition<Support> of_edges{"kind", "a kind other than pinned",
                                     [](const Support& s) { return s.kind != SupportKind::pinned; }};
-  const Condition<Support> inside{"kind", "kind = pinned or clamped", [](const Support& s) {
-                                    return s.kind == SupportKind::pinned || s.kind == SupportKind::clamped;
+  const Condition<Support> inside{"kind", "kind = pinned, clamped or in_plane", [](const Support& s) {
+                                    using enum SupportKind;
+                                    return s.kind == pinned || s.kind == clamped || s.kind == in_plane;
                                   }};
   return {
       choice<Support, SupportKind>("kind", &Support::kind, support_kinds, "how the edge is held; see \"Supports\"")
@@ -360,6 +373,13 @@ Fields<Support> support_fields() {
           "on", Layout::inline_, &Support::patch,
           hole_fields("the disc of the plate that is held", "the polygon of the plate that is held"), check_hole)
           .with(inside),
+      value<Support>(
+          {"in_plane", "-", "one of " + in_plane_words.text(), "free, of kind symmetry normal, of kind in_plane fixed",
+           "which displacements are held in the plane: both, or on edges that along the normal or the edge"},
+          [](const Value& given, Support& support) {
+            if (const auto text = given.text()) support.in_plane = in_plane_words.find(given, *text);
+          },
+          [](const Support& s) { return s.in_plane ? quoted(in_plane_words.name(*s.in_plane)) : ""; }),
   };
 }
 
@@ -369,7 +389,8 @@ namespace {
 Fields<Load> amount_fields() {
   const auto valued = [](const Load& load) {
     const auto* pressure = load.as<Pressure>();
-    return !load.formula().given() && !(pressure && (pressure->table.given() || pressure->gravity));
+    return !is<BodyForce>(load) && !load.formula().given() &&
+           !(pressure && (pressure->table.given() || pressure->gravity));
   };
   const Condition<Load> with_value{"kind", "kind = pressure with a value",
                                    [valued](const Load& load) { return is<Pressure>(load) && valued(load); }};
@@ -391,11 +412,15 @@ Fields<Load> amount_fields() {
                    "own weight: the pressure is density thickness gravity, along w")
           .with({"kind", "kind = pressure without expression and table",
                  [](const Load& load) { return is<Pressure>(load) && !load.as<Pressure>()->evaluated(); }}),
-      amount("value", "force/length^2, force, force/length, force, force/length, temperature, length", value_of,
-             "pressure, edge moment per length, edge shear per length, point force, force per length of a line, "
-             "temperature of the face z > 0 less that of the other, deflection of a support")
-          .with({"kind", "neither expression, table nor gravity", valued})
-          .standard("required without tensor, expression, table and gravity"),
+      amount("value", "force/length^2, force, force/length, force/length, force, force/length, temperature, length",
+             value_of,
+             "pressure, edge moment per length, edge shear per length, edge traction N_nn, point force along w, force "
+             "per length of a line, temperature of the face z > 0 less that of the other, deflection of a support")
+          .with({"kind", "neither body_force, expression, table nor gravity", valued})
+          .standard("required without tensor, vector, expression, table and gravity"),
+      point("vector", "force/length^2, force", vector_of, "[x, y]", "the force in the plane")
+          .with({"kind", "kind = body_force or point_force without path",
+                 [](const Load& load) { return is<BodyForce>(load) || (is<PointForce>(load) && !load.moves()); }}),
       number<Load>("level", "length", level_of, finite,
                    "the y up to which a fluid stands: the pressure is value, its unit weight, times level - y below")
           .with(with_value),
@@ -415,10 +440,14 @@ Fields<Load> place_fields() {
                                   check_hole)
           .with(kind_is<Pressure>()),
       points<Load>("along", along_of, 2, "the line that the load acts along").required().with(kind_is<LineLoad>()),
-      edges<Load>("the edges that are loaded", edges_of).required().with(kind_is<EdgeMoment, EdgeShear>()),
+      edges<Load>("the edges that are loaded", edges_of)
+          .required()
+          .with(kind_is<EdgeMoment, EdgeShear, EdgeTraction>()),
       amount("twist", "force", twist_of, "twisting moment M_ns beside value, s = normal turned by +90 degrees")
           .with(kind_is<EdgeMoment>()),
-      tensor().with(kind_is<EdgeMoment>()),
+      amount("shear", "force/length", shear_of, "edge traction N_ns beside value, s = normal turned by +90 degrees")
+          .with(kind_is<EdgeTraction>()),
+      tensor().with(kind_is<EdgeMoment, EdgeTraction>()),
       points<Load>("path", path_of, 2, "where the force, or with \"on\" the pressure from its place on, moves along")
           .in_dynamics()
           .with(kind_is<PointForce, Pressure>()),
@@ -481,9 +510,14 @@ Fields<Load> load_fields() {
 void check_load(const Value& given, Load& load) {
   auto& reading = given.reading();
   const auto has = [&](const char* name) { return reading.given(given.below(name)); };
-  if (!has("value") && !has("tensor") && !has("expression") && !has("gravity") && !has("table"))
+  if (is<BodyForce>(load) && !has("vector")) reading.report_error(given.below("vector"), "is missing, must be [x, y]");
+  if (has("vector") && !has("value") && vector_of(load) == geometry::Point(0, 0) &&
+      reading.sound(given.below("vector")))
+    reading.report_error(given.below("vector"), "is zero: nothing acts");
+  const auto amounts = {"value", "tensor", "vector", "expression", "gravity", "table"};
+  if (!is<BodyForce>(load) && std::ranges::none_of(amounts, has))
     reading.report_error(given.below("value"), "is missing, must be a finite number");
-  for (const char* name : {"value", "twist"})
+  for (const char* name : {"value", "twist", "shear"})
     if (tensor_of(load) && reading.given(given.below(name)))
       reading.report_error(given.below(name),
                            fmt::format("'{}' is given beside 'tensor', which replaces it: remove one of them", name));

@@ -116,6 +116,9 @@ void SinglePlate::solve_static() {
   const double strain = plate_.strain_energy(result.what_strains());
   plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
   if (result.strained.cols() > 0) end.rest = &result.strained;
+  if (ready_.membrane)
+    results_.in_plane(*ready_.membrane,
+                      membrane_at_rest(*ready_.membrane, analysis_, content().srif, ready_.membrane_methods));
   if (moved_as_one_body(result, plate_))
     summary.warnings.emplace_back("the supports move the plate as one rigid body: nothing in it is strained");
   results_.sample(end, true);
@@ -126,7 +129,7 @@ void SinglePlate::solve_static() {
   summary.multipliers = plate_.multipliers(solution.state);
   summary.energy = {{"strain", results_.strain_energy()}, {"external_work", results_.external_work()}};
   add_elastic_support_energy(plate_, solution.state, summary);
-  if (!post::moves(solution.state, work, plate_))
+  if (!ready_.membrane && !post::moves(solution.state, work, plate_))
     post::require_motion(plate_, post::forces_of(plate_), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,

@@ -22,8 +22,9 @@ struct ValidatedPlate {
   };
   plate::Stopwatch stopwatch;
   std::unique_ptr<plate::Formulation> plate;
+  std::unique_ptr<plate::Formulation> membrane;  // where loads act in the plane
   std::vector<std::string> warnings;
-  std::vector<post::TipMethods> tip_methods;
+  std::vector<post::TipMethods> tip_methods, membrane_methods;
   post::OtherFactors other_factors;
   std::optional<Steps> steps;  // of a motion; without a limit where it takes no steps but rows
   plate::BeginOfMotion begin;

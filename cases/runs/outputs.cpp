@@ -18,6 +18,10 @@
 
 namespace cases {
 
+post::ReportedCase reported(const Case& c) {
+  return {c, c.title, c.source, c.units, c.output.probes};
+}
+
 post::Summary about(const Case& c, const plate::Formulation& plate, std::vector<std::string> warnings) {
   auto summary = post::about(plate, c.analysis, {c.srif.has_value(), c.output.vtk});
   summary.title = c.title;

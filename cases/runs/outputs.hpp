@@ -22,6 +22,9 @@ namespace cases {
 class OwnedMesh;
 struct ValidatedPlate;
 
+/// Data of a case that its report shows.
+post::ReportedCase reported(const Case& c);
+
 /// Summary of a run before it starts.
 post::Summary about(const Case& c, const plate::Formulation& plate, std::vector<std::string> warnings);
 

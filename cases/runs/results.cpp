@@ -33,6 +33,11 @@ Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::v
       extremes_(plate),
       energy_balance_(content().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {}
 
+void Results::in_plane(const plate::Formulation& membrane, MembraneResult result) {
+  membrane_ = &membrane, in_plane_ = std::move(result);
+  outputs_.summary().membrane = in_plane_->summary;
+}
+
 void Results::sample(const plate::Instant& now, bool last) {
   const auto heat = plate::heat_at(plate_, now.time);
   const double heated = plate::stored(plate_, heat, now.state);
@@ -53,6 +58,7 @@ void Results::sample(const plate::Instant& now, bool last) {
     row.energy_residual = residual_ = now.external_work - terms.energy;
     growth_->look(now.time);
   }
+  if (in_plane_) row.in_plane = &in_plane_->fields.displacement;
   outputs_.row(row, plate_);
   const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
   if (content().moves()) energy_balance_.check(terms, when);
@@ -66,23 +72,31 @@ void Results::sample(const plate::Instant& now, bool last) {
     return fracture::of_all(plate_,
                             post::srifs(plate_, *content().srif, tip_methods_, now.what_strains(), last, &heat));
   };
-  factors_.add(factors(), fmt::format("at step {}, time {:g}", now.step, now.time));
+  auto found = factors();
+  if (in_plane_) post::add_membrane(found, in_plane_->factors, content().section);
+  factors_.add(std::move(found), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
 
 void Results::frame(const plate::Instant& now) {
   next_frame_ = content().output.every ? next_frame_ + *content().output.every : INFINITY;
-  if (!outputs_.takes_frames()) return;
+  if (!outputs_.takes_frames() && !in_plane_) return;
   const auto& recorder = outputs_.recorder();
   const bool of_mode = content().analysis.kind == plate::Analysis::Kind::frequencies;
   const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
   auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), !growth_, &heat);
   if (now.rest) frame.state = now.state.leftCols(frame.state.cols());
+  if (in_plane_) {
+    frame.resultants.von_mises =
+        plate::von_mises(frame.resultants, plate_.sections(), in_plane_->forces, membrane_->sections());
+    frame.in_plane = in_plane_->fields;
+  }
   std::optional<plate::Mesh> mesh;
   if (growth_) {
     auto drawn = growth_->draw(frame, now.state, factors_.last());
     if (recorder.draws()) mesh = std::move(drawn);
   }
   if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
+  if (!outputs_.takes_frames()) return;
   const bool rates = recorder.stores() && content().moves();
   outputs_.frame(plate_, std::move(frame), std::move(mesh), rates ? now.velocity() : plate::no_state());
 }
@@ -128,6 +142,18 @@ post::Cracks Results::finish_growth() {
   return record.cracks;
 }
 
+/// Factors of loads in the plane that are not resolved or doubtful, and faces that overlap with them.
+void Results::warn_in_plane() {
+  outputs_.warn(in_plane_->warnings);
+  for (const auto* one : post::recommended(outputs_.summary().srif)) {
+    const auto where = post::overlap(*one);
+    if (where != post::Overlap::above && where != post::Overlap::both) continue;
+    outputs_.warn(
+        {fmt::format("tip {} ({:.4g}, {:.4g}): faces overlap at {}, as contact is not modelled", one->tip,
+                     one->position.x(), one->position.y(), where == post::Overlap::both ? "both faces" : "z > 0")});
+  }
+}
+
 void Results::finish() {
   const auto& section = content().section;
   auto& recorder = outputs_.recorder();
@@ -160,6 +186,10 @@ void Results::finish() {
   outputs_.warn(post::tips_that_grow(summary));
   outputs_.warn(post::sinking_supports(summary.reactions, content(),
                                        section.thickness * summary.deflection_over_thickness.value_or(0)));
+  if (in_plane_) {
+    overlaps.clear();
+    warn_in_plane();
+  }
   outputs_.warn(post::warnings_about_faces(overlaps, section,
                                            growth_ ? std::function<std::size_t(std::size_t)>() : crack,
                                            content().moves() ? at_time : std::function<std::string(double)>()));

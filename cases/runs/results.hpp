@@ -1,4 +1,5 @@
 #pragma once
+#include "cases/runs/membrane.hpp"
 #include "cases/runs/outputs.hpp"
 #include "post/factors/tip_methods.hpp"
 #include "post/files/result_checks.hpp"
@@ -30,6 +31,8 @@ public:
   post::FactorRows& factors() { return factors_; }
   post::ReactionRows& reactions() { return reactions_; }
 
+  /// Adds what a plate does in its plane, which must outlive this, to all that follows.
+  void in_plane(const plate::Formulation& membrane, MembraneResult result);
   /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);
   void frame(const plate::Instant& now);
@@ -58,6 +61,7 @@ private:
   void memory(Archive& archive);
   post::Cracks finish_growth();
   std::string remedy() const;
+  void warn_in_plane();
 
   Outputs& outputs_;
   const plate::Formulation& plate_;
@@ -72,6 +76,8 @@ private:
   std::optional<double> residual_;  // of the energies of a growth
   double strain_energy_ = 0, external_work_ = 0, next_frame_ = 0;
   fracture::MovingGrowth* growth_ = nullptr;
+  const plate::Formulation* membrane_ = nullptr;
+  std::optional<MembraneResult> in_plane_;
 };
 
 }  // namespace cases

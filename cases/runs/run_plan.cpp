@@ -3,7 +3,6 @@
 #include "cases/input/case_file.hpp"
 #include "plate/solve/motion/time_grid.hpp"
 #include "post/files/results_in_memory.hpp"
-#include "post/report/html_report.hpp"
 
 namespace cases {
 
@@ -14,10 +13,6 @@ RunOptions RunOptions::part(const std::string& name) const {
 
 bool RunPlan::reports() const {
   return !options.in_memory && content.output.reports();
-}
-
-post::ReportedCase reported(const Case& c) {
-  return {c, c.title, c.source, c.units, c.output.probes};
 }
 
 plate::GridOptions grid_options(const Case& c) {

@@ -38,9 +38,6 @@ struct RunPlan {
   bool reports() const;
 };
 
-/// Data of a case that its report shows.
-post::ReportedCase reported(const Case& c);
-
 /// Options for the steps of a motion: growth keeps a distance from the stable one.
 plate::GridOptions grid_options(const Case& c);
 

@@ -171,6 +171,7 @@ void check_places(const Problem& problem, const geometry::Cloud& cloud, const Se
   std::map<std::size_t, Point> pins;  // by the point that stands for them
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
     for (const auto& x : problem.supports[i].points) {
+      if (problem.supports[i].holds_nothing()) continue;
       check(Subject::support_points, i, "pin", x);
       if (!cloud.seeded(x)) continue;
       const auto [other, alone] = pins.try_emplace(geometry::nearest_plate_point(cloud, x), x);
@@ -230,7 +231,8 @@ std::optional<double> width_of_pins(const Problem& problem, const geometry::Latt
   if (problem.elastically_supported() || std::ranges::any_of(problem.supports, holds)) return std::nullopt;
   std::vector<Point> pins;
   for (const auto& support : problem.supports)
-    for (const auto& x : support.points) pins.push_back(units.to_lattice(x));
+    for (const auto& x : support.points)
+      if (!support.holds_nothing()) pins.push_back(units.to_lattice(x));
   if (pins.size() < 3) return std::nullopt;  // nothing holds the plate
   return width(pins);
 }

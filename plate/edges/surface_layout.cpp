@@ -112,7 +112,7 @@ Widest widest(const Problem& problem, EdgeMethod method) {
   const auto edges = geometry::edge_names(problem.outline);
   const auto kind = [&](const std::string& edge) {
     for (const auto& one : problem.supports)
-      if (std::ranges::find(one.edges, edge) != one.edges.end()) return one.kind;
+      if (!one.holds_nothing() && std::ranges::find(one.edges, edge) != one.edges.end()) return one.kind;
     return SupportKind::free;
   };
   const auto stiff = [&](const std::string& edge) {

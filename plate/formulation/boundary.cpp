@@ -49,7 +49,7 @@ std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<S
   for (auto& side : sides)
     for (const auto& support : supports)
       if (std::find(support.edges.begin(), support.edges.end(), side.name) != support.edges.end())
-        side.kind = support.kind;
+        if (!support.holds_nothing()) side.kind = support.kind;
   return sides;
 }
 
@@ -59,9 +59,8 @@ std::vector<Holder> holders_of(const std::vector<Support>& supports) {
   std::size_t pins = 0, lines = 0, parts = 0;
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const auto& support = supports[i];
-    if (support.kind == SupportKind::free) continue;
     const auto add = [&](const std::string& name, const std::optional<Point>& position, Holder::Place place) {
-      holders.push_back({name, support.kind, position, place, i});
+      if (!support.holds_nothing()) holders.push_back({name, support.kind, position, place, i});
     };
     for (const auto& name : support.edges)
       if (holder(holders, name) == holders.size()) add(name, std::nullopt, edge);

@@ -33,6 +33,7 @@ private:
 /// A problem turned into a plate, with what its user should know, and the seconds that it took.
 struct Discretised {
   std::unique_ptr<Formulation> plate;
+  std::unique_ptr<Formulation> membrane;  // the same points in their plane, where loads act there
   std::vector<std::string> warnings;
   Stopwatch stopwatch;
 };

@@ -50,8 +50,13 @@ std::vector<std::int64_t> set_numbers(DisjointSets& sets, const Boundary& bounda
 
 namespace {
 
-/// The three rigid motions at one degree of freedom: w = 1; w = x, theta_y = -1; w = y, theta_x = 1.
-Eigen::Vector3d rigid(const Dof& dof, const geometry::Point& x) {
+/// The three rigid motions at one degree of freedom: w = 1; w = x, theta_y = -1; w = y, theta_x = 1. In the plane,
+/// where theta_x = -v and theta_y = u: u = 1; v = 1; u = -y, v = x.
+Eigen::Vector3d rigid(const Dof& dof, const geometry::Point& x, PlateLaw law) {
+  if (law == PlateLaw::membrane)
+    return dof.component == 0   ? Eigen::Vector3d(0, 0, 0)
+           : dof.component == 1 ? Eigen::Vector3d(0, -1, -x.x())
+                                : Eigen::Vector3d(1, 0, -x.y());
   switch (dof.component) {
     case 0:
       return {1, x.x(), x.y()};
@@ -163,7 +168,8 @@ AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& pie
 }
 
 /// The conditions that supports, ties, foundations and springs set to the rigid motions of every piece.
-Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const AllFound& found) {
+Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const AllFound& found,
+                 PlateLaw law) {
   Grams gram;
   for (const auto& [number, one] : found) gram[number].setZero();
   const auto counts = [&](const Dof& dof) { return found.contains(piece_of[dof.point]); };
@@ -171,7 +177,7 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
     gram.at(piece_of[dof.point]) += row * row.transpose();
   };
   const auto at = [&](const Dof& dof) {  // in lattice units about the piece's first point
-    return rigid(dof, boundary.lattice[dof.point] - found.at(piece_of[dof.point]).origin);
+    return rigid(dof, boundary.lattice[dof.point] - found.at(piece_of[dof.point]).origin, law);
   };
   for (const auto dof : boundary.constraints.fixed())
     if (counts(dof)) add(dof, at(dof));
@@ -195,9 +201,9 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
 
 /// The pieces and their numbers, the largest first.
 std::vector<std::pair<std::int64_t, Piece>> numbered(const Boundary& boundary,
-                                                     const std::vector<std::int64_t>& piece_of) {
+                                                     const std::vector<std::int64_t>& piece_of, PlateLaw law) {
   auto found = found_in(boundary, piece_of);
-  const auto grams = conditions(boundary, piece_of, found);
+  const auto grams = conditions(boundary, piece_of, found, law);
   std::vector<std::pair<std::int64_t, Piece>> result;
   for (auto& [number, one] : found) {
     // a rigid motion survives where it meets every condition of the piece: rows of conditions, their Gram matrix,
@@ -217,7 +223,7 @@ std::vector<std::pair<std::int64_t, Piece>> numbered(const Boundary& boundary,
 std::vector<std::uint32_t> detached_points(const Boundary& boundary, const geometry::Families& families) {
   auto sets = connected(boundary, families);
   const auto piece_of = set_numbers(sets, boundary);
-  const auto all = numbered(boundary, piece_of);
+  const auto all = numbered(boundary, piece_of, PlateLaw::bending);
   std::vector<std::int64_t> off;
   const bool held = std::ranges::any_of(all, [](const auto& one) { return one.second.free_modes < 3; });
   for (std::size_t i = held ? 0 : 1; i < all.size(); ++i)
@@ -230,10 +236,10 @@ std::vector<std::uint32_t> detached_points(const Boundary& boundary, const geome
   return result;
 }
 
-std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families) {
+std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families, PlateLaw law) {
   auto sets = connected(boundary, families);
   std::vector<Piece> result;
-  for (const auto& [number, piece] : numbered(boundary, set_numbers(sets, boundary))) result.push_back(piece);
+  for (const auto& [number, piece] : numbered(boundary, set_numbers(sets, boundary), law)) result.push_back(piece);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plate/formulation/boundary.hpp"
+#include "plate/model/section.hpp"
 
 namespace plate {
 
@@ -36,7 +37,8 @@ struct Piece {
 };
 
 /// Pieces of the plate, largest first. Bonds, mirror images and ties connect.
-std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families);
+std::vector<Piece> pieces(const Boundary& boundary, const geometry::Families& families,
+                          PlateLaw law = PlateLaw::bending);
 
 /// Points of detached pieces: of all pieces that no support holds in any way; of a plate that is not held at all,
 /// all but the largest.

@@ -86,6 +86,7 @@ struct Layers {
     along += part * (D(2, 2) - B.dot(inverse * B));
     const Point t(-n.y(), n.x());
     const double nn = n.dot(l.shear * n), nt = n.dot(l.shear * t), tt = t.dot(l.shear * t);
+    if (nn == 0) return;  // of a membrane
     shear_across += part / nn, shear_mixed += part * nt / nn, shear_along += part * (tt - nt * nt / nn);
   }
   void set(LocalSection& l) const {
@@ -94,6 +95,7 @@ struct Layers {
     const Eigen::Vector2d m = mixed / area, B = A * m;
     D << A, B, B.transpose(), along / area + m.dot(B);
     l.bending = turn().transpose() * D * turn();
+    if (shear_across == 0) return;
     Eigen::Matrix2d S, axes;
     const double nn = area / shear_across, m_shear = shear_mixed / area;
     S << nn, nn * m_shear, nn * m_shear, shear_along / area + nn * m_shear * m_shear;
@@ -154,6 +156,20 @@ double von_mises(const Eigen::Vector3d& moments, const Section& section) {
   if (section.isotropic()) return von_mises(Eigen::Vector3d(moments * (6 / (section.thickness * section.thickness))));
   const LocalSection l(section);
   return von_mises(Eigen::Vector3d(l.top * l.bending.ldlt().solve(moments)));
+}
+
+Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_bending, const Resultants& membrane,
+                          const PointSections& of_membrane) {
+  Eigen::VectorXd result(bending.moments.cols());
+  const auto stress = [](const LocalSection& section, const Eigen::Vector3d& resultant) -> Eigen::Vector3d {
+    return section.top * section.bending.inverse() * resultant;
+  };
+  for (Eigen::Index k = 0; k < result.size(); ++k) {
+    const Eigen::Vector3d bent = stress(of_bending[std::size_t(k)], bending.moments.col(k)),
+                          stretched = stress(of_membrane[std::size_t(k)], membrane.moments.col(k));
+    result[k] = std::max(von_mises(Eigen::Vector3d(stretched + bent)), von_mises(Eigen::Vector3d(stretched - bent)));
+  }
+  return result;
 }
 
 Resultants resultants_of(Eigen::Index points) {

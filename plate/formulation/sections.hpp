@@ -47,6 +47,11 @@ struct Gradients {
 /// Von Mises stress of moments Mxx, Myy, Mxy, at z = +h/2 [force/length^2].
 double von_mises(const Eigen::Vector3d& moments, const Section& section);
 
+/// Von Mises stress of moments and membrane forces together, at every point the larger of both faces
+/// [force/length^2].
+Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_bending, const Resultants& membrane,
+                          const PointSections& of_membrane);
+
 /// Resultants of these points, not yet set.
 Resultants resultants_of(Eigen::Index points);
 

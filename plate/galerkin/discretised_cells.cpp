@@ -42,7 +42,7 @@ std::vector<geometry::Point> places_of_forces(const Problem& c) {
 std::vector<std::string> layered_edges(const Problem& c) {
   auto result = geometry::edge_names({c.outline.outer, {}});
   const auto holds = [](const Support& support) {
-    return support.kind != SupportKind::free && support.kind != SupportKind::simply_supported;
+    return !support.holds_nothing() && support.kind != SupportKind::simply_supported;
   };
   std::erase_if(result, [&](const std::string& name) {
     return std::ranges::any_of(c.supports, [&](const Support& support) {
@@ -166,7 +166,7 @@ public:
     require_consistent(families);
     layout.sections.emplace(problem_.section, cells_);
     layout.sections->add_masses(masses_, families.areas);
-    layout.pieces = pieces(layout.boundary, families.families);
+    layout.pieces = pieces(layout.boundary, families.families, problem_.section.law);
     for (std::size_t i = 0; i < problem_.loads.size(); ++i) add(problem_.loads[i], std::move(acting_[i]), families);
     if (!part_) return {std::move(layout), std::move(cells_), std::move(families), {}, {}};
     return {std::move(layout), std::move(cells_), std::move(families), std::move(part_->number),
@@ -176,9 +176,15 @@ public:
 private:
   Boundary boundary_of(const Tessellation& cells, const std::vector<double>& areas) const {
     auto result = galerkin_boundary(cells, areas, geometry::to_lattice(problem_.outline, cells.units),
-                                    problem_.supports, support_motions(problem_), {&all_});
+                                    problem_.supports, support_motions(problem_), {&all_}, problem_.section.law);
     result.elastic_supports = elastic_supports_of(problem_, cells);
     return result;
+  }
+
+  Forces forces_of(const Load& load, const Tessellation& cells, const std::vector<double>& areas,
+                   const PointMap& map) const {
+    return problem_.section.law == PlateLaw::membrane ? nodal_forces_in_plane(load, cells, areas)
+                                                      : nodal_forces(load, cells, areas, map);
   }
 
   void keep_all(std::vector<geometry::CrackPath> paths, Tessellation cells) {
@@ -188,7 +194,7 @@ private:
     masses_ = stiffener_masses(problem_, cells);
     for (const auto& load : problem_.loads)
       acting_.push_back(
-          {nodal_forces(load, cells, areas),
+          {forces_of(load, cells, areas, {}),
            load.moves() ? std::make_shared<MovingForces>(moving_forces(load, cells, areas.size())) : nullptr});
     cells_ = std::move(cells);
   }
@@ -209,7 +215,7 @@ private:
     PointMap map{&all_};
     for (const int owner : seen.owners) map.owned.push_back(owner == all_.rank());
     for (const auto& load : problem_.loads) {
-      auto& acting = acting_.emplace_back(restricted(nodal_forces(load, cells, areas, map), part), nullptr);
+      auto& acting = acting_.emplace_back(restricted(forces_of(load, cells, areas, map), part), nullptr);
       if (load.moves())
         acting.moving =
             std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size(), map), *part_));

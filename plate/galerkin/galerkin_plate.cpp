@@ -20,6 +20,7 @@
 #include "plate/galerkin/stiffness.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/process.hpp"
 #include "plate/solve/factorised_plate.hpp"
@@ -161,7 +162,7 @@ std::vector<std::string> warnings_about_small_holes(const Problem& problem) {
   for (const auto& hole : problem.outline.holes) {
     const auto* circle = std::get_if<geometry::Circle>(&hole);
     const auto holds = [&](const Support& s) {
-      return s.kind != SupportKind::free && std::ranges::find(s.edges, circle->name) != s.edges.end();
+      return !s.holds_nothing() && std::ranges::find(s.edges, circle->name) != s.edges.end();
     };
     if (circle && circle->radius < least * spacing && std::ranges::any_of(problem.supports, holds))
       result.push_back(
@@ -194,6 +195,9 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   auto paths = crack_paths(problem);
   auto cells = required_cells(problem, paths, all.distributed());
   stopwatch.lap("geometry");
+  if (loaded_in_plane(problem))
+    result.membrane =
+        std::make_unique<GalerkinPlate>(discretised_part(membrane_of(problem), paths, cells, all, stopwatch));
   result.plate =
       std::make_unique<GalerkinPlate>(discretised_part(problem, std::move(paths), std::move(cells), all, stopwatch));
   stopwatch.lap("parameters");

@@ -182,7 +182,7 @@ public:
     std::vector<char> asked(cells.positions.size(), 0);
     for (const auto& share : to_finer_.shares) asked[share.other] = 1;
     auto boundary = galerkin_boundary(cells, areas_of(cells), geometry::to_lattice(problem.outline, cells.units),
-                                      problem.supports, {}, {&all});
+                                      problem.supports, {}, {&all}, problem.section.law);
     boundary.elastic_supports = elastic_supports_of(problem, cells);
     part_ = part_of_cells(all, problem, here, boundary.elastic_supports, {}, asked);
     boundary_ = restricted(boundary, part_, 0);
@@ -232,7 +232,8 @@ private:
 /// Throws Refused where cracks, edges and supports have no room for such points.
 MultigridLevel global_level(const Problem& c, geometry::Tessellation cells) {
   auto families = galerkin_families(cells);
-  auto boundary = galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports);
+  auto boundary = galerkin_boundary(cells, families.areas, geometry::to_lattice(c.outline, cells.units), c.supports, {},
+                                    {}, c.section.law);
   auto seen = geometry::positions_inside_faces(cells);
   auto elastic_supports = elastic_supports_of(c, cells);
   PointSections sections(c.section, cells);

@@ -131,7 +131,7 @@ void hold_places(Boundary& boundary, const SupportOffsets& moved) {
 
 Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
                            const geometry::Outline& outline, const std::vector<Support>& supports,
-                           const std::vector<SupportMotion>& motions, PointMap map) {
+                           const std::vector<SupportMotion>& motions, PointMap map, PlateLaw law) {
   Boundary result;
   result.map = std::move(map);
   result.cloud = {cells.units, cells.positions, areas, cells.positions.size()};
@@ -164,6 +164,8 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
   const SupportOffsets moved(result, motions);
   hold_places(result, moved);
   hold_inside(result, supports, moved);
+  for (std::uint32_t k = 0; law == PlateLaw::membrane && k < cells.positions.size(); ++k)
+    result.constraints.fix(dof(k, 0));
   result.constraints.resolve();
   return result;
 }

@@ -25,6 +25,7 @@ enum class Subject {
   support,
   support_kind,
   support_points,
+  support_in_plane,
   support_line,
   support_patch,
   support_edges,

@@ -375,10 +375,28 @@ std::optional<Point> Load::point() const {
   return force && !moves() ? std::optional(force->position) : std::nullopt;
 }
 
-Point EdgeMoment::on(const Point& n) const {
-  if (!tensor) return value * n + twist * Point(-n.y(), n.x());
+bool Load::in_plane() const {
+  const auto* force = as<PointForce>();
+  return as<EdgeTraction>() || as<BodyForce>() || (force && force->vector != Point(0, 0));
+}
+
+namespace {
+
+/// A symmetric tensor times the normal n of an edge; by its components along the edge where it is not given.
+Point on_edge(const std::optional<std::array<double, 3>>& tensor, double normal, double along, const Point& n) {
+  if (!tensor) return normal * n + along * Point(-n.y(), n.x());
   const auto [xx, yy, xy] = *tensor;
   return {xx * n.x() + xy * n.y(), xy * n.x() + yy * n.y()};
+}
+
+}  // namespace
+
+Point EdgeMoment::on(const Point& n) const {
+  return on_edge(tensor, value, twist, n);
+}
+
+Point EdgeTraction::on(const Point& n) const {
+  return on_edge(tensor, value, shear, n);
 }
 
 void scale(Load& load, double factor) {
@@ -388,19 +406,22 @@ void scale(Load& load, double factor) {
   };
   std::visit(
       [&](auto& one) {
-        multiply(one.value);
+        if constexpr (requires { one.value; }) multiply(one.value);
+        if constexpr (requires { one.vector; }) multiply(one.vector);
+        if constexpr (requires { one.shear; }) multiply(one.shear);
         if constexpr (requires { one.formula; }) scale_formula(one.formula);
         if constexpr (requires { one.gradient; }) multiply(one.gradient);
         if constexpr (requires { one.twist; }) multiply(one.twist);
         if constexpr (requires { one.slope; }) multiply(one.slope), multiply(one.rotation);
+        if constexpr (requires { one.tensor; })
+          if (one.tensor)
+            for (auto& component : *one.tensor) multiply(component);
       },
       load.action);
   if (auto* pressure = load.as<Pressure>()) {
     if (pressure->table.given()) pressure->table = pressure->table.times(factor);
     if (pressure->gravity) multiply(*pressure->gravity);
   }
-  if (auto* moment = load.as<EdgeMoment>(); moment && moment->tensor)
-    for (auto& component : *moment->tensor) multiply(component);
 }
 
 }  // namespace plate

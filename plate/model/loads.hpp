@@ -89,13 +89,32 @@ struct EdgeShear {
   double value = 0;
 };
 
-/// Force along +w at a point, or at one that moves along a path.
+/// Membrane forces on edges; positive is tension.
+struct EdgeTraction {
+  static constexpr const char* name = "edge_traction";
+  std::vector<std::string> edges = {};
+  double value = 0;                                  // N_nn per length [force/length]
+  double shear = 0;                                  // N_ns, s = normal turned by +90 degrees [force/length]
+  std::optional<std::array<double, 3>> tensor = {};  // Nxx, Nyy, Nxy instead of both [force/length]
+
+  /// (N_nx, N_ny) = N n on an edge with the normal n of any length.
+  geometry::Point on(const geometry::Point& n) const;
+};
+
+/// Force in the plane per area [force/length^2].
+struct BodyForce {
+  static constexpr const char* name = "body_force";
+  geometry::Point vector{0, 0};
+};
+
+/// Force at a point, or along +w at one that moves along a path.
 struct PointForce {
   static constexpr const char* name = "point_force";
   geometry::Point position{0, 0};  // [length]
-  double value = 0;                // [force]
+  double value = 0;                // along +w [force]
   geometry::Polyline path = {};
-  double speed = 0;  // [length/time]
+  double speed = 0;              // [length/time]
+  geometry::Point vector{0, 0};  // in the plane [force]
 };
 
 /// Force along +w per length of a line [force/length].
@@ -123,7 +142,8 @@ struct Settlement {
 
 /// Load: what acts, and how it varies in time.
 struct Load {
-  using Action = std::variant<Pressure, EdgeMoment, EdgeShear, PointForce, LineLoad, Temperature, Settlement>;
+  using Action = std::variant<Pressure, EdgeMoment, EdgeShear, EdgeTraction, BodyForce, PointForce, LineLoad,
+                              Temperature, Settlement>;
   Action action;
   History history = {};
 
@@ -151,6 +171,8 @@ struct Load {
   std::optional<geometry::Point> point() const;
 
   bool moves() const { return !path().empty(); }
+  /// True of a load that acts in the plane, alone or beside what acts across it.
+  bool in_plane() const;
 };
 
 /// Makes a load some times as large.

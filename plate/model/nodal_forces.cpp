@@ -116,9 +116,8 @@ MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells
 
 namespace {
 
-/// Couple of an edge moment on an edge with the normal n: work M n . (u, v)/z.
-PointValues edge_couple(const EdgeMoment& load, const Point& normal) {
-  const Point moment = load.on(normal);
+/// Couple of a moment, or of a force in the plane, that does the work M . (u, v)/z.
+PointValues couple_of(const Point& moment) {
   return {0, -moment.y(), moment.x()};
 }
 
@@ -141,15 +140,15 @@ struct OnLattice {
     forces.col(static_cast<Eigen::Index>(k)) = moved_force(load.value, load.position - cloud.positions[k]);
   }
   void operator()(const EdgeMoment& load) const {
-    on_pieces(load.edges, [&](const EdgePiece& piece, const Point&) { return edge_couple(load, piece.normal); });
+    on_pieces(load.edges, [&](const EdgePiece& piece, const Point&) { return couple_of(load.on(piece.normal)); });
   }
   void operator()(const EdgeShear& load) const {
     on_pieces(load.edges, [&](const EdgePiece& piece, const Point& lever) {
       return moved_force(load.value * piece.normal.norm(), lever);
     });
   }
-  void operator()(const Temperature&) const {}
-  void operator()(const Settlement&) const {}
+  template <class Other>
+  void operator()(const Other&) const {}
 
 private:
   /// `force(piece, lever)`: of a piece of an edge, at the point next to it.
@@ -178,14 +177,11 @@ struct OnCells {
   void operator()(const LineLoad& load) const { add_line_load(load, cells, forces); }
   void operator()(const PointForce& load) const {
     if (!cells.sees(load.position)) return;
-    std::size_t nearest = 0;
-    for (std::size_t k = 0; k < areas.size(); ++k)
-      if ((cells.positions[k] - load.position).squaredNorm() < (cells.positions[nearest] - load.position).squaredNorm())
-        nearest = k;
-    forces.col(Eigen::Index(nearest)) = moved_force(load.value, load.position - cells.positions[nearest]);
+    const auto k = nearest_point(load.position);
+    forces.col(Eigen::Index(k)) = moved_force(load.value, load.position - cells.positions[k]);
   }
   void operator()(const EdgeMoment& load) const {
-    on_ends(load.edges, [&](const Point& along, int) { return edge_couple(load, Point(along.y(), -along.x()) / 2); });
+    on_ends(load.edges, [&](const Point& along, int) { return half_couple(load, along); });
   }
   void operator()(const EdgeShear& load) const {
     // a force q on a piece from 0 to l, deflections by the third-order line through both ends: q l^2 / 12 on the slopes
@@ -193,10 +189,20 @@ struct OnCells {
       return moved_force(load.value * along.norm() / 2, Point(along * (end / 6.0)));
     });
   }
-  void operator()(const Temperature&) const {}
-  void operator()(const Settlement&) const {}
+  template <class Other>
+  void operator()(const Other&) const {}
 
-private:
+protected:
+  std::size_t nearest_point(const Point& x) const {
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < areas.size(); ++k)
+      if ((cells.positions[k] - x).squaredNorm() < (cells.positions[nearest] - x).squaredNorm()) nearest = k;
+    return nearest;
+  }
+  /// Couple at either end of a piece of an edge.
+  static PointValues half_couple(const auto& load, const Point& along) {
+    return couple_of(load.on(Point(along.y(), -along.x()) / 2));
+  }
   /// `force(along, end)`: of a piece of an edge, at its begin (1) and at its end (-1).
   template <typename Force>
   void on_ends(const std::vector<std::string>& edges, const Force& force) const {
@@ -210,12 +216,34 @@ private:
   }
 };
 
+/// Nodal forces in the plane, of the loads that act there: conjugate to theta_x = -v and theta_y = u.
+struct InPlaneOnCells : OnCells {
+  void operator()(const EdgeTraction& load) const {
+    on_ends(load.edges, [&](const Point& along, int) { return half_couple(load, along); });
+  }
+  void operator()(const BodyForce& load) const {
+    for (std::size_t k = 0; k < areas.size(); ++k) forces.col(Eigen::Index(k)) = couple_of(areas[k] * load.vector);
+  }
+  void operator()(const PointForce& load) const {
+    if (cells.sees(load.position)) forces.col(Eigen::Index(nearest_point(load.position))) = couple_of(load.vector);
+  }
+  template <class Other>
+  void operator()(const Other&) const {}
+};
+
 }  // namespace
 
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const PointMap& map) {
   Forces forces = zero_forces(areas.size());
   if (!load.moves()) std::visit(OnCells{cells, areas, map, forces}, load.action);
+  return forces;
+}
+
+Forces nodal_forces_in_plane(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas) {
+  Forces forces = zero_forces(areas.size());
+  const PointMap everywhere;
+  std::visit(InPlaneOnCells{{cells, areas, everywhere, forces}}, load.action);
   return forces;
 }
 

@@ -77,6 +77,8 @@ Forces nodal_forces(const Load& load, const geometry::Cloud& cloud, const geomet
 /// make a shear force do the right work on deflections of the third order. `areas` of the points [length^2].
 Forces nodal_forces(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas,
                     const PointMap& map = {});
+/// Nodal forces in the plane of what a load does there, conjugate to theta_x = -v and theta_y = u (PlateLaw::membrane).
+Forces nodal_forces_in_plane(const Load& load, const geometry::Tessellation& cells, const std::vector<double>& areas);
 
 /// Motion of a support under the settlement that a load is.
 struct SupportMotion {

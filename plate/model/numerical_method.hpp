@@ -86,7 +86,8 @@ enum class Feature {
   breaking_bonds,  // bonds that break one by one
   running_tips,    // tips that run while the plate moves
   sections,        // that vary or have directions
-  stiffeners       // beams on the plate
+  stiffeners,      // beams on the plate
+  in_plane         // loads and displacements in the plane
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

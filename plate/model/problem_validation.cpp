@@ -101,14 +101,17 @@ void check_along(const geometry::Polyline& along, const Refusal& refusal, const 
 /// A load on an edge that holds all it acts on: the support takes it, and points beside the edge a part of it.
 void check_held(const Load& load, std::size_t number, const Problem& problem, std::vector<Refusal>& found) {
   const auto* edge_moment = load.as<EdgeMoment>();
+  const auto* traction = load.as<EdgeTraction>();
   const bool shear = load.as<EdgeShear>() != nullptr;
-  const bool moment = edge_moment && (edge_moment->tensor || edge_moment->value != 0),
-             twist = edge_moment && (edge_moment->tensor || edge_moment->twist != 0);
+  const bool moment = (edge_moment && (edge_moment->tensor || edge_moment->value != 0)) ||
+                      (traction && (traction->tensor || traction->value != 0)),
+             twist = (edge_moment && (edge_moment->tensor || edge_moment->twist != 0)) ||
+                     (traction && (traction->tensor || traction->shear != 0));
   for (const auto& edge : load.edges())
     for (std::size_t i = 0; i < problem.supports.size(); ++i) {
       const auto& support = problem.supports[i];
       if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
-      const auto held = held_by(support.kind);
+      const auto held = traction ? held_in_plane(support.held_in_plane()) : held_by(support.kind);
       if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
         found.push_back(
             {Subject::load_edges, number,
@@ -128,7 +131,11 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
           {Subject::load_position, number,
            fmt::format("{} given, lies on crack {}: move it to the face that it loads", text_of(*position), i)});
   for (std::size_t i = 0; i < problem.supports.size(); ++i) {
-    if (!problem.supports[i].patch) continue;
+    const auto& support = problem.supports[i];
+    const auto& force = *load.as<PointForce>();
+    const bool across = (force.value != 0 || !load.in_plane()) && !support.holds_nothing(),
+               along = force.vector != geometry::Point(0, 0) && support.held_in_plane() == InPlane::fixed;
+    if (!support.patch || !(across || along)) continue;
     const auto ring = geometry::Patch(*problem.supports[i].patch).ring();
     if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, *position))
       found.push_back(
@@ -142,7 +149,8 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
 /// Places within the plate that a support holds, of which it has one kind, or edges.
 void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& found) {
   const auto& support = problem.supports[i];
-  const bool inside = support.kind == SupportKind::pinned || support.kind == SupportKind::clamped;
+  const bool inside = support.kind == SupportKind::pinned || support.kind == SupportKind::clamped ||
+                      support.kind == SupportKind::in_plane;
   const int places = !support.edges.empty() + !support.points.empty() + !support.along.empty() + bool(support.patch);
   if (places != 1)
     found.push_back({Subject::support_edges, i,
@@ -154,6 +162,18 @@ void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& f
     if (!on_plate(problem.outline, point))
       found.push_back(
           {Subject::support_points, i, text_of(point) + " given, must lie in the plate or on its boundary"});
+  for (const auto& point : support.points)
+    for (std::size_t c = 0; c < problem.cracks.size(); ++c)
+      if (support.held_in_plane() != InPlane::free &&
+          geometry::distance(problem.cracks[c], point) < 1e3 * geometry::tolerance(problem.outline))
+        found.push_back({Subject::support_points, i,
+                         fmt::format("{} given, lies on crack {}: held in the plane it would tie both faces together",
+                                     text_of(point), c)});
+  if (support.kind == SupportKind::in_plane && support.held_in_plane() == InPlane::free)
+    found.push_back({Subject::support_in_plane, i, "\"free\" holds nothing: remove the support, or hold something"});
+  const bool one_way = support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential;
+  if (one_way && support.edges.empty())
+    found.push_back({Subject::support_in_plane, i, "edges alone have a normal: choose \"fixed\" or \"free\""});
   check_along(support.along, {Subject::support_line, i, ""}, problem.outline, found);
   check_line(support.along, {Subject::support_line, i, ""}, problem, found);
   check_patch(support.patch, {Subject::support_patch, i, "the support lies"}, problem.outline, found);

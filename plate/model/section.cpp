@@ -33,33 +33,40 @@ double distance_to_boundary(const geometry::Hole& shape, const Point& x) {
   return geometry::distance(ring, x);
 }
 
+/// Stress at z = h/2 over the moment, or over the membrane force.
+double stress_by_moment(const Section& s) {
+  const double h = s.thickness;
+  return s.law == PlateLaw::membrane ? 1 / h : 6 / (h * h);
+}
+
 void set_isotropic(LocalSection& l, const Section& s) {
-  const double h = s.thickness, D = s.bending_stiffness(), nu = s.poisson;
+  const double D = s.bending_stiffness(), nu = s.poisson;
   l.bending << D, D * nu, 0, D * nu, D, 0, 0, 0, D * (1 - nu) / 2;
   l.shear = s.shear_stiffness() * Eigen::Matrix2d::Identity();
-  l.top = 6 / (h * h) * l.bending;
+  l.top = stress_by_moment(s) * l.bending;
 }
 
 void set_orthotropic(LocalSection& l, const Section& s) {
-  const double h = s.thickness;
-  l.bending = std::pow(h, 3) / 12 * plane_stress(*s.orthotropic);
-  l.shear = s.shear_correction * h * transverse_shear(*s.orthotropic);
-  l.top = 6 / (h * h) * l.bending;
+  l.bending =
+      (s.law == PlateLaw::membrane ? s.thickness : std::pow(s.thickness, 3) / 12) * plane_stress(*s.orthotropic);
+  if (s.law == PlateLaw::bending) l.shear = s.shear_correction * s.thickness * transverse_shear(*s.orthotropic);
+  l.top = stress_by_moment(s) * l.bending;
 }
 
 /// Integrals over the plies, whose middle plane is that of the plate.
 void set_plies(LocalSection& l, const Section& s) {
   l.mass = l.rotary = 0;
+  const bool membrane = s.law == PlateLaw::membrane;
   double z = -s.thickness / 2;
   for (const auto& ply : s.plies) {
     const double end = z + ply.thickness, third = (std::pow(end, 3) - std::pow(z, 3)) / 3;
     const double density = ply.density.value_or(s.density);
-    l.bending += third * plane_stress(ply);
-    l.shear += s.shear_correction * ply.thickness * transverse_shear(ply);
+    l.bending += (membrane ? ply.thickness : third) * plane_stress(ply);
+    if (!membrane) l.shear += s.shear_correction * ply.thickness * transverse_shear(ply);
     l.mass += density * ply.thickness, l.rotary += density * third;
     z = end;
   }
-  l.top = s.thickness / 2 * plane_stress(s.plies.back());
+  l.top = (membrane ? 1 : s.thickness / 2) * plane_stress(s.plies.back());
 }
 
 }  // namespace
@@ -82,6 +89,7 @@ void LocalSection::add(const LocalSection& other, double weight) {
 
 Section Section::at(const Point& x) const {
   Section s{young, poisson, thickness, shear_correction, density, thermal_expansion, orthotropic, plies};
+  s.law = law;
   const auto region =
       std::find_if(regions.rbegin(), regions.rend(), [&](const auto& r) { return contains(r.shape, x); });
   if (region != regions.rend()) {
@@ -109,12 +117,14 @@ void Section::thicken(double factor) {
 }
 
 double Section::bending_stiffness() const {
+  if (isotropic() && law == PlateLaw::membrane) return young * thickness / (1 - poisson * poisson);
   if (isotropic()) return young * std::pow(thickness, 3) / (12 * (1 - poisson * poisson));
   const LocalSection l(*this);
   return std::sqrt(l.bending(0, 0) * l.bending(1, 1));
 }
 
 double Section::shear_stiffness() const {
+  if (law == PlateLaw::membrane) return 0;
   if (isotropic()) return shear_correction * young / (2 * (1 + poisson)) * thickness;
   return std::sqrt(LocalSection(*this).shear.determinant());
 }
@@ -128,6 +138,7 @@ double Section::shear_wave_speed() const {
 }
 
 double Section::layer() const {
+  if (law == PlateLaw::membrane) return INFINITY;
   if (isotropic()) return thickness / std::sqrt(12 * shear_correction);
   const LocalSection l(*this);
   const auto& D = l.bending;  // twist along the axes, and at 45 degrees to them

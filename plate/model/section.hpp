@@ -32,6 +32,10 @@ struct SectionRegion {
   std::optional<double> thickness, young, poisson, density;
 };
 
+/// Meaning of the rotations of a plate. In the plane they are the displacements u = theta_y and v = -theta_x, the
+/// moments are the membrane forces, and there is no shear: the bending law with E h in place of E h^3 / 12.
+enum class PlateLaw { bending, membrane };
+
 /// Material and thickness of the plate.
 struct Section {
   double young = 0;                            // E [force/length^2]
@@ -45,6 +49,7 @@ struct Section {
   Formula thickness_factor = {};               // h(x, y) / h
   Formula young_factor = {};                   // E(x, y) / E
   std::vector<SectionRegion> regions = {};     // where several overlap the last counts; factors act outside of them
+  PlateLaw law = PlateLaw::bending;
 
   /// True for a section with the same properties everywhere.
   bool uniform() const { return regions.empty() && !thickness_factor.given() && !young_factor.given(); }
@@ -59,20 +64,20 @@ struct Section {
   /// Makes the plate some times as thick.
   void thicken(double factor);
 
-  /// D = E h^3 / (12 (1 - nu^2)); with directions sqrt(D11 D22) [force length]
+  /// D = E h^3 / (12 (1 - nu^2)), of a membrane E h / (1 - nu^2); with directions sqrt(D11 D22) [force length]
   double bending_stiffness() const;
-  /// k_s G h with G = E / (2 (1 + nu)); with directions sqrt(S11 S22 - S12^2) [force/length]
+  /// k_s G h with G = E / (2 (1 + nu)); with directions sqrt(S11 S22 - S12^2); of a membrane 0 [force/length]
   double shear_stiffness() const;
   /// rho h [mass/length^2]
   double mass() const;
   /// h / sqrt(12 k_s): width of the layer beside free edges and faces of cracks in which twist and shear change; with
-  /// directions the least of sqrt(D66 / S) [length]
+  /// directions the least of sqrt(D66 / S); of a membrane infinite, as it has none [length]
   double layer() const;
   /// sqrt(k_s G / rho): no crack runs faster [length/time]
   double shear_wave_speed() const;
 };
 
-/// Stiffness and mass of a plate at one place.
+/// Stiffness and mass of a plate at one place; of a membrane forces by strains in place of moments by curvatures.
 struct LocalSection {
   Eigen::Matrix3d bending = Eigen::Matrix3d::Zero();  // Mxx, Myy, Mxy by kappa xx, yy, 2 xy [force length]
   Eigen::Matrix2d shear = Eigen::Matrix2d::Zero();    // Qx, Qy by the shear angles [force/length]

@@ -97,7 +97,7 @@ bool clamps(SupportKind kind) {
 
 /// Describes the part of its settlement that a support does not hold; empty where all is held.
 std::string not_held(const Settlement& load, const Support& support) {
-  if (support.kind == SupportKind::free) return "holds nothing that could move";
+  if (support.holds_nothing()) return "holds nothing that could move";
   if (support.kind == SupportKind::symmetry && (load.value != 0 || !load.slope.isZero(0)))
     return "is a mirror plane, which holds no deflection: give a rotation alone";
   if (load.rotation != 0 && support.edges.empty()) return "has no edges that could turn about themselves: give a slope";
@@ -200,7 +200,7 @@ Kept kept(const Problem& problem, std::size_t number, const Place& at, const Tog
   const Point psi(-body[2], body[1]);
   const auto add = [&](const Point& d) { result.slopes.emplace_back(d, d.dot(psi)); };
   const bool hard = support.kind == simply_supported_hard || support.kind == simply_supported_hard_layer;
-  if (support.kind != symmetry && support.kind != free) result.w = body[0];
+  if (support.kind != symmetry && !support.holds_nothing()) result.w = body[0];
   if (clamps(support.kind)) add({1, 0}), add({0, 1});
   if (hard) add({-at.normal.y(), at.normal.x()});
   if (support.kind == symmetry) add(at.normal);

@@ -14,6 +14,12 @@ SupportKind in_layer(SupportKind kind) {
   return kind == simply_supported_hard ? simply_supported_hard_layer : kind;
 }
 
+InPlane Support::held_in_plane() const {
+  if (in_plane) return *in_plane;
+  if (kind == SupportKind::symmetry) return InPlane::normal;
+  return kind == SupportKind::in_plane ? InPlane::fixed : InPlane::free;
+}
+
 Held held_by(SupportKind kind) {
   using enum SupportKind;
   switch (kind) {
@@ -30,9 +36,15 @@ Held held_by(SupportKind kind) {
       return {false, true, false};
     case free:
     case pinned:
+    case in_plane:
       break;
   }
   return {};
+}
+
+Held held_in_plane(InPlane in_plane) {
+  using enum InPlane;
+  return {false, in_plane == fixed || in_plane == normal, in_plane == fixed || in_plane == tangential};
 }
 
 }  // namespace plate

@@ -18,8 +18,12 @@ enum class SupportKind {
   clamped_layer,                // Dai et al.: all zero in a layer of one horizon outside the plate
   simply_supported_layer,       // Dai et al.: w = 0 in that layer
   simply_supported_hard_layer,  // w = psi_s = 0 in that layer
-  pinned                        // w = 0 at single points, along lines or on parts of the plate
+  pinned,                       // w = 0 at single points, along lines or on parts of the plate
+  in_plane                      // nothing but what InPlane says
 };
+
+/// Displacements that a support holds in the plane: none, both, or that along the normal or along the edge.
+enum class InPlane { free, fixed, normal, tangential };
 
 /// A support of named edges; or within the plate, pinned (w) or clamped (w and rotations), of single points, of a line
 /// or of a part. One of the four is given.
@@ -29,8 +33,14 @@ struct Support {
   std::vector<geometry::Point> points;
   geometry::Polyline along = {};
   std::optional<geometry::Hole> patch = {};
+  std::optional<InPlane> in_plane = {};
 
-  bool holds_edges() const { return kind != SupportKind::free && !edges.empty(); }
+  /// Displacements that it holds in the plane: without a word a symmetry the normal displacement, the kind in_plane
+  /// both, others none.
+  InPlane held_in_plane() const;
+  /// True where it holds nothing across the plane.
+  bool holds_nothing() const { return kind == SupportKind::free || kind == SupportKind::in_plane; }
+  bool holds_edges() const { return !holds_nothing() && !edges.empty(); }
   /// True where it holds a line or a part of the plate.
   bool holds_inside() const { return !along.empty() || patch; }
 };
@@ -48,6 +58,8 @@ struct Held {
 };
 
 Held held_by(SupportKind kind);
+/// Likewise of the displacements in the plane.
+Held held_in_plane(InPlane in_plane);
 
 /// Elastic foundation of a plate: soil that answers the deflection w with the pressure -k w + G_p laplace(w) (Winkler
 /// 1867; Pasternak 1954).

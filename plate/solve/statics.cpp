@@ -396,6 +396,8 @@ StaticResult StaticSolver::lifted(const Operator& plate, const Forces& load, con
     const auto left = prescribed.residual(state);
     residual = left.share;
     converged = residual <= options.tolerance;
+    if (!converged && n == most)
+      stop_reason = "rounding beside the forces of the supports leaves more than the tolerance";
     if (converged || n == most) break;
     auto more = options;
     more.tolerance = std::max(options.tolerance / residual / 2, 1e-9);

@@ -46,6 +46,12 @@ void check_held(const Formulation& plate, const Analysis& analysis, Validation& 
     const auto zero = unresisted_motions(plate);
     result.refusals.insert(result.refusals.end(), zero.begin(), zero.end());
   }
+  const auto& initial = plate.problem().initial;
+  if (analysis.kind == Analysis::Kind::dynamic && analysis.precision == Analysis::Precision::mixed && initial &&
+      initial->velocity.given() && !plate.held())
+    result.refusals.push_back({Subject::precision, 0,
+                               "\"mixed\" given: a loose plate with a velocity moves far beside what bends it, which "
+                               "single precision rounds away; choose \"double\""});
   const auto found = loose(plate);
   if (analysis.finds_equilibrium())
     result.refusals.insert(result.refusals.end(), found.begin(), found.end());

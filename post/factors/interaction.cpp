@@ -129,7 +129,8 @@ SeriesFit over(const TipView& plate, const TipFrame& frame, const TipSection& at
     for (Eigen::Index mode = 0; mode < 2; ++mode)
       scatter(plate, k, of_rotations(rotations[std::size_t(mode)], section, S, frame.ahead, q, slope), plate.areas[k],
               mode, rows);
-    scatter(plate, k, of_deflection(fields.deflection(place), S, frame.ahead, q, slope), plate.areas[k], 2, rows);
+    if (at.section.law == plate::PlateLaw::bending)
+      scatter(plate, k, of_deflection(fields.deflection(place), S, frame.ahead, q, slope), plate.areas[k], 2, rows);
   }
   const Eigen::Matrix3d factors = at.stiffness() / std::numbers::pi;
   SeriesFit result{

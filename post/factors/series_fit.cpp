@@ -82,6 +82,7 @@ public:
     for (const bool even : {true, false}) {
       sign_ = even ? 1 : -1;
       for (int n = 0; n <= order; ++n) result.push_back(series(eigenfunction(n), {}, n, n));
+      if (s_ == 0) continue;  // nothing couples psi to w
       for (int p = even ? 0 : 1; p <= order + 2; ++p)
         if (p % 2 == (even ? 0 : 1)) result.push_back(series(harmonic(p), p - 2));
       if (even) result.push_back(series(Powers(4, {{2, 0.25}}), 2));  // w = r^2 / 4: an even load
@@ -216,6 +217,7 @@ private:
     Field result{sign_ > 0, order, {}, {}};
     if (first) append(result.w, *first);
     append(result.psi, psi);
+    if (s_ == 0) return result;
     for (int step = 0; step < most; ++step, n += 4) {
       const Powers w = deflection(psi, n);
       psi = rotation(psi, w, n);
@@ -415,6 +417,7 @@ Eigen::Vector3d SeriesFit::operator()(const NearField& field) const {
 }
 
 int fit_order(const plate::Section& section, double outer) {
+  if (section.law == plate::PlateLaw::membrane) return 6;
   return 6 + int(std::ceil(3 * outer * std::sqrt(12 * section.shear_correction) / section.thickness));
 }
 

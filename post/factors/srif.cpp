@@ -81,6 +81,30 @@ void compare_with(Srif& srif, const Srif& other, const std::string& formulation,
   at_least(srif, {other.K1, other.K2, other.K3});
 }
 
+void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane, const plate::Section& section) {
+  const auto first = [](const std::vector<Srif>& all, std::size_t tip) {
+    return std::ranges::find(all, tip, &Srif::tip);
+  };
+  for (const auto& one : membrane)
+    if (first(bending, one.tip) == bending.end()) {  // no method of bending has room there
+      auto& added = bending.emplace_back(one);
+      added.K1 = added.K2 = 0, added.G.reset(), added.rings.clear(), added.fits.clear(), added.estimated_error.reset();
+      added.errors = {}, added.resolved = {false, false, false};
+    }
+  for (auto& srif : bending) {
+    auto found = first(membrane, srif.tip);
+    if (&srif != &*first(bending, srif.tip))
+      found = std::ranges::find_if(membrane,
+                                   [&](const Srif& one) { return one.tip == srif.tip && one.method == srif.method; });
+    if (found == membrane.end()) continue;
+    srif.membrane = MembraneFactors{{found->K1, found->K2},
+                                    {found->errors[0], found->errors[1]},
+                                    {found->resolved[0], found->resolved[1]},
+                                    found->G,
+                                    section.at(srif.position).thickness};
+  }
+}
+
 void normalize(Srif& srif, const SrifOptions& options, double thickness) {
   if (!options.normalize || !options.half_length) return;
   const Normalization& n = *options.normalize;
@@ -93,22 +117,47 @@ void normalize(Srif& srif, const SrifOptions& options, double thickness) {
 
 namespace {
 
-/// A norm: that of the errors bounds what they do to that of the factors.
-double equivalent(const std::array<double, 3>& K, double poisson) {
-  return std::max(std::hypot(K[0], K[1]), std::abs(K[2]) / std::sqrt(1 - poisson));
+using PairOfFactors = std::array<double, 2>;
+
+/// A norm: that of the errors bounds what they do to that of the factors. `N`: of K_I, K_II in the plane, which are the
+/// same all over the thickness; where both close the crack they take no energy (theory (70)).
+double equivalent(const std::array<double, 3>& K, const PairOfFactors& N, double poisson) {
+  if (N == PairOfFactors{}) return std::max(std::hypot(K[0], K[1]), std::abs(K[2]) / std::sqrt(1 - poisson));
+  constexpr int heights = 200;  // from one face to the other, with the middle
+  double largest = 0;
+  for (int i = 0; i <= heights; ++i) {
+    const double s = 2.0 * i / heights - 1, opening = std::max(0.0, N[0] + s * K[0]), sliding = N[1] + s * K[1];
+    largest = std::max(largest, std::hypot(opening, sliding, (1 - s * s) * K[2] / std::sqrt(1 - poisson)));
+  }
+  return largest;
+}
+
+/// K_I at z = -h/2 and z = h/2, but for a factor that both have.
+PairOfFactors openings(const Srif& srif, const MembraneFactors& membrane) {
+  const double bent = 6 * srif.K1 / membrane.thickness;
+  return {membrane.N[0] - bent, membrane.N[0] + bent};
 }
 
 }  // namespace
 
 Overlap overlap(const Srif& srif) {
   constexpr double nothing = 1e-6;  // of the factors of moments: rounding
+  if (const auto& membrane = srif.membrane) {
+    if (!srif.resolved[0] || !membrane->resolved[0]) return Overlap::unknown;
+    const auto [below, above] = openings(srif, *membrane);
+    const double bent = 6 * srif.errors[0].value_or(0) / membrane->thickness,
+                 least = bent + std::max(membrane->errors[0].value_or(0), nothing * std::abs(membrane->N[1]));
+    if (below < -least && above < -least) return Overlap::both;
+    return below < -least ? Overlap::below : above < -least ? Overlap::above : Overlap::unknown;
+  }
   const double size = std::abs(srif.K1), least = std::max(srif.errors[0].value_or(0), nothing * std::abs(srif.K2));
   if (!srif.resolved[0] || !(size > least)) return Overlap::unknown;
   return srif.K1 > 0 ? Overlap::below : Overlap::above;
 }
 
 const char* name_of(Overlap overlap) {
-  return overlap == Overlap::below ? "z<0" : overlap == Overlap::above ? "z>0" : "";
+  constexpr std::array names{"", "z<0", "z>0", "both"};
+  return names[std::size_t(overlap)];
 }
 
 FaceFactors at_faces(const Srif& srif, const plate::Section& everywhere, std::optional<double> toughness) {
@@ -129,10 +178,24 @@ FaceFactors at_faces(const Srif& srif, const plate::Section& everywhere, std::op
     any = true, known = known && srif.errors[i];
     errors[i] = factor[i] * srif.errors[i].value_or(0);
   }
+  PairOfFactors N{}, errors_of_N{};
+  if (const auto& membrane = srif.membrane) {
+    auto& below = result.below.emplace();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double size = root / h * std::abs(membrane->N[i]), error = root / h * membrane->errors[i].value_or(0);
+      if (membrane->resolved[i]) N[i] = root / h * membrane->N[i];
+      errors_of_N[i] = error + (membrane->resolved[i] ? 0 : size);
+      any = any || membrane->resolved[i], known = known && membrane->errors[i];
+      const bool both = result.K[i] && membrane->resolved[i];
+      below[i] = both ? std::optional(N[i] - K[i]) : std::nullopt;
+      result.K[i] = both ? std::optional(N[i] + K[i]) : std::nullopt;
+    }
+  }
   if (!any || !section.isotropic()) return result;
-  if (srif.resolved[0]) result.overlap = 24 * std::abs(srif.K1) * std::sqrt(2 * h) / (section.young * h * h);
-  result.equivalent = equivalent(K, section.poisson);
-  if (known) result.error = equivalent(errors, section.poisson);
+  const double closed = 6 * std::abs(srif.K1) / h - (srif.membrane ? srif.membrane->N[0] : 0);  // over the opening
+  if (srif.resolved[0]) result.overlap = std::max(0.0, 4 * closed * std::sqrt(2 * h) / (section.young * h));
+  result.equivalent = equivalent(K, N, section.poisson);
+  if (known) result.error = equivalent(errors, errors_of_N, section.poisson);
   if (!toughness) return result;
   result.utilisation = *result.equivalent / *toughness;
   if (known) result.utilisation_error = *result.error / *toughness;

@@ -73,6 +73,16 @@ struct SecondSrif {
   double difference = 0;  // largest of the three, relative to the largest K
 };
 
+/// Intensity factors of a tip in the plane: N1 = lim sqrt(2 r) N_nn, N2 of N_ns, with estimated errors
+/// [force / length^(1/2)].
+struct MembraneFactors {
+  std::array<double, 2> N;
+  std::array<std::optional<double>, 2> errors;
+  std::array<bool, 2> resolved;
+  std::optional<double> G;  // energy release rate in the plane [force]
+  double thickness = 1;     // of the plate at the tip [length]
+};
+
 /// Moment and shear intensity factors of one tip by one method (no pi: K1 = lim sqrt(2 r) M_nn).
 struct Srif {
   std::size_t tip = 0;
@@ -85,6 +95,7 @@ struct Srif {
   std::optional<double> accuracy_reached;       // where it was asked for: the largest estimated error of this tip
   double lost_shear = 0.1;                      // an error of K3 above this share of the largest leaves nothing of it
   std::array<bool, 3> resolved{true, true, true};  // false: this discretisation does not give that factor
+  std::optional<MembraneFactors> membrane;         // where loads act in the plane
   std::optional<SecondSrif> second;                // of a case that is run in both formulations
   std::optional<double> G;                         // energy release rate [force], of methods that find it
   std::vector<RingSrif> rings;                     // of methods that use rings; the first gave the result
@@ -114,19 +125,24 @@ void compare_with(Srif& srif, const Srif& other, const std::string& formulation,
 /// Face of the plate at which the faces of a crack pass through each other behind a tip, as nothing keeps them from it
 /// (theory (76)): K1 > 0 opens the half z > 0 and closes the other. Unknown where K1 is not resolved, or nothing within
 /// its estimated error.
-enum class Overlap { unknown, below, above };  // at z < 0, at z > 0
+enum class Overlap { unknown, below, above, both };  // at z < 0, at z > 0
 Overlap overlap(const Srif& srif);
 /// "z<0", "z>0" or "", as files have it.
 const char* name_of(Overlap overlap);
+
+/// Adds the factors of a plate in its plane, which its methods find as K1 and K2: of the same tip by the same method,
+/// the recommended one where a tip has it first.
+void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane, const plate::Section& section);
 
 /// F1, F2, F3 where the options give a normalisation.
 void normalize(Srif& srif, const SrifOptions& options, double thickness);
 
 /// Stress intensity factors lim sqrt(2 pi r) times stress of one tip, those that are resolved [force length^(-3/2)]:
-/// K_I and K_II at the face z > 0, with the other sign at z < 0, and K_III in the middle plane (theory (69)). Of
-/// sections of plies none; of a section with directions without equivalent, utilisation and overlap.
+/// K_I and K_II at the face z > 0, of bending with the other sign at z < 0, and K_III in the middle plane (theory
+/// (69)). Of sections of plies none; of a section with directions without equivalent, utilisation and overlap.
 struct FaceFactors {
   std::array<std::optional<double>, 3> K;
+  std::optional<std::array<std::optional<double>, 2>> below = {};  // K_I, K_II at z < 0, where loads act in the plane
   /// Equivalent mode 1 factor: it takes the same energy at the height where that is largest, a face or the middle plane
   /// (theory (70)).
   std::optional<double> equivalent;

@@ -37,6 +37,10 @@ std::pair<std::complex<double>, std::complex<double>> upper_roots(const Eigen::M
 
 TipSection::TipSection(const plate::Section& own, const geometry::Point& ahead)
     : section(own), compliance(Eigen::Matrix3d::Zero()) {
+  if (own.isotropic() && own.law == plate::PlateLaw::membrane) {
+    compliance(0, 0) = compliance(1, 1) = 2 / (own.young * own.thickness);
+    return;
+  }
   if (own.isotropic()) {
     const double bending = 24 / (own.young * own.thickness * own.thickness * own.thickness);
     compliance.diagonal() << bending, bending, 1 / own.shear_stiffness();
@@ -48,11 +52,14 @@ TipSection::TipSection(const plate::Section& own, const geometry::Point& ahead)
   compliance(0, 0) = -a(1, 1) * (sum / product).imag();
   compliance(1, 1) = a(0, 0) * sum.imag();
   compliance(0, 1) = compliance(1, 0) = a(0, 0) * product.imag();
-  compliance(2, 2) = 1 / std::sqrt(local.shear.determinant());
+  if (own.law == plate::PlateLaw::bending) compliance(2, 2) = 1 / std::sqrt(local.shear.determinant());
 }
 
 Eigen::Matrix3d TipSection::stiffness() const {
-  return inverse(compliance);
+  if (section.law == plate::PlateLaw::bending) return inverse(compliance);
+  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+  result.topLeftCorner<2, 2>() = compliance.topLeftCorner<2, 2>().inverse();
+  return result;
 }
 
 double TipSection::release(const Eigen::Vector3d& K) const {

@@ -11,7 +11,7 @@ namespace post {
 /// -psi ahead and of w.
 struct TipSection {
   plate::Section section;
-  Eigen::Matrix3d compliance;  // Lambda
+  Eigen::Matrix3d compliance;  // Lambda; of a membrane, which has no third factor, zero there
 
   /// `section`: the same everywhere. `ahead`: direction of the tip.
   TipSection(const plate::Section& section, const geometry::Point& ahead = {1, 0});

@@ -25,12 +25,12 @@ void serialize(Archive& archive, SecondSrif& second) {
 
 template <typename Archive>
 void serialize(Archive& archive, Srif& srif) {
-  auto& [tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, second, G, rings,
-         fits, residual, samples] = srif;
+  auto& [tip, position, method, K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, membrane, second,
+         G, rings, fits, residual, samples] = srif;
   archive(tip, position);
   archive_name(archive, method);
-  archive(K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, second, G, rings, fits, residual,
-          samples);
+  archive(K1, K2, K3, F1, F2, F3, error, errors, accuracy, lost_shear, resolved, membrane, second, G, rings, fits,
+          residual, samples);
 }
 
 }  // namespace post
@@ -43,6 +43,8 @@ template <>
 inline constexpr int plate::archived_members<post::CrackTip> = 4;
 template <>
 inline constexpr int plate::archived_members<post::Cracks> = 2;
+template <>
+inline constexpr int plate::archived_members<post::MembraneFactors> = 5;
 template <>
 inline constexpr int plate::archived_members<post::RingSrif> = 6;
 template <>

@@ -83,6 +83,9 @@ std::vector<std::string> srif_columns() {
 
 void append(Table& table, double time, const std::vector<Srif>& srifs) {
   if (table.columns.empty()) table.columns = srif_columns();
+  const bool in_plane = std::ranges::any_of(srifs, [](const Srif& srif) { return srif.membrane.has_value(); });
+  if (in_plane && table.rows.empty())
+    for (const char* name : {"N1", "N2", "estimated_error_N1", "estimated_error_N2"}) table.columns.emplace_back(name);
   for (const Srif& srif : srifs) {
     const auto factor = [&](std::size_t i, const std::optional<double>& value) {
       return srif.resolved[i] ? cell(value) : Cell();
@@ -94,6 +97,11 @@ void append(Table& table, double time, const std::vector<Srif>& srifs) {
                           srif.fit_residual, static_cast<double>(srif.samples), cell(srif.errors[0]),
                           cell(srif.errors[1]), cell(srif.errors[2]),
                           where == Overlap::unknown ? Cell() : Cell(name_of(where))});
+    if (!in_plane) continue;
+    const auto membrane = srif.membrane.value_or(MembraneFactors{{}, {}, {false, false}, {}});
+    for (std::size_t i = 0; i < 2; ++i)
+      table.rows.back().push_back(membrane.resolved[i] ? Cell(membrane.N[i]) : Cell());
+    for (const auto& error : membrane.errors) table.rows.back().push_back(cell(error));
   }
 }
 

@@ -65,8 +65,8 @@ private:
 };
 
 /// The rows of srif.csv: time,tip,x,y,method,K1,K2,K3,F1,F2,F3,estimated_error,fit_residual,samples,
-/// estimated_error_K1,estimated_error_K2,estimated_error_K3,overlaps_at (name_of(Overlap)); a factor that is not
-/// resolved is empty.
+/// estimated_error_K1,estimated_error_K2,estimated_error_K3,overlaps_at (name_of(Overlap)), and where loads act in the
+/// plane N1,N2,estimated_error_N1,estimated_error_N2; a factor that is not resolved is empty.
 void append(Table& table, double time, const std::vector<Srif>& srifs);
 std::vector<std::string> srif_columns();
 

@@ -55,14 +55,21 @@ void set_factors(Cracks& cracks, const std::vector<Srif>& factors);
 
 using plate::Mesh;
 
+/// Displacements u, v and membrane forces Nxx, Nyy, Nxy of points in the plane.
+struct InPlaneFields {
+  Eigen::Matrix2Xd displacement;  // [length]
+  Eigen::Matrix3Xd force;         // [force/length]
+};
+
 /// Frame at one instant. Arrays have one entry per point of the mesh.
 struct Frame {
   double time = 0;
   std::size_t step = 0;
   plate::State state;  // w, theta_x, theta_y
   plate::Resultants resultants;
-  std::vector<double> damage;         // 1 - intact weight / weight at the start; all zero without growth
-  std::optional<Cracks> cracks = {};  // where they change
+  std::vector<double> damage;                  // 1 - intact weight / weight at the start; all zero without growth
+  std::optional<Cracks> cracks = {};           // where they change
+  std::optional<InPlaneFields> in_plane = {};  // where loads act there
 };
 
 }  // namespace post

@@ -96,6 +96,11 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plat
     plate::PointValues u = plate::value_at(shares, s.state);
     for (double& component : u) component = plate::sum_of_all(boundary.map, component);  // one process has the place
     probes_.rows.push_back({s.time, name, x.x(), x.y(), u[0], u[1], u[2]});
+    if (!s.in_plane) continue;
+    if (probes_.rows.size() == 1) probes_.columns.emplace_back("u"), probes_.columns.emplace_back("v");
+    geometry::Point moved(0, 0);
+    for (const auto& share : shares) moved += share.weight * s.in_plane->col(share.point);
+    probes_.rows.back().emplace_back(moved.x()), probes_.rows.back().emplace_back(moved.y());
   }
 }
 

@@ -63,8 +63,9 @@ struct Sample {
   std::size_t step;
   const plate::State& state;
   double strain_energy, kinetic_energy, external_work, fracture_energy;
-  std::optional<double> discrete_energy = {}, energy_residual = {};                 // in motion
-  std::optional<double> dissipated_energy = {};                                     // of a damped motion
+  std::optional<double> discrete_energy = {}, energy_residual = {};  // in motion
+  std::optional<double> dissipated_energy = {};                      // of a damped motion
+  const Eigen::Matrix2Xd* in_plane = nullptr;  // u, v of every point, where loads act in the plane
   std::optional<double> released_energy = {}, load_factor = {}, displacement = {};  // of a quasi-static growth
 };
 

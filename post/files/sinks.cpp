@@ -46,6 +46,10 @@ void MemorySink::frame(Frame frame, std::optional<Mesh> mesh, plate::State) {
             {"moments", mean(frame.resultants.moments)},
             {"shear", mean(frame.resultants.shear)},
             {"von_mises", mean(frame.resultants.von_mises.transpose())}};
+  if (const auto& in_plane = frame.in_plane) {
+    arrays["displacement"] = linear(in_plane->displacement);
+    arrays["membrane_forces"] = mean(in_plane->force);
+  }
   quads = flat(mesh_.quads);
   triangles = flat(mesh_.triangles);
 }

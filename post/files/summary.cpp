@@ -46,6 +46,13 @@ Json json_of(const Srif& srif) {
   for (std::size_t i = 0; i < 3; ++i) add(json, error[i], srif.errors[i]);
   add(json, "accuracy_reached", srif.accuracy_reached);
   add(json, "G", srif.G);
+  if (const auto& membrane = srif.membrane) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      json[i == 0 ? "N1" : "N2"] = membrane->resolved[i] ? Json(membrane->N[i]) : Json();
+      add(json, i == 0 ? "estimated_error_N1" : "estimated_error_N2", membrane->errors[i]);
+    }
+    add(json, "G_in_plane", membrane->G);
+  }
   if (const auto where = overlap(srif); where != Overlap::unknown) json["overlaps_at"] = name_of(where);
   if (const auto& second = srif.second)
     json["second_formulation"] = {{"formulation", second->formulation},
@@ -71,6 +78,12 @@ Json json_of(const FaceFactors& faces) {
   constexpr std::array names{"K_I", "K_II", "K_III"};
   Json json;
   for (std::size_t i = 0; i < 3; ++i) json[names[i]] = faces.K[i] ? Json(*faces.K[i]) : Json();
+  if (faces.below) {
+    const auto number = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+    json["KI_top"] = number(faces.K[0]), json["KI_bottom"] = number((*faces.below)[0]);
+    json["KII_top"] = number(faces.K[1]), json["KII_bottom"] = number((*faces.below)[1]);
+    json["KIII"] = number(faces.K[2]);
+  }
   json["K_eq"] = faces.equivalent ? Json(*faces.equivalent) : Json();
   add(json, "estimated_error_K_eq", faces.error);
   add(json, "utilisation", faces.utilisation);
@@ -141,6 +154,17 @@ Json json_of(const GrowthSummary& growth) {
   add(json, "largest_speed", growth.largest_speed);
   add(json, "broken_bonds", growth.broken_bonds);
   json["lengths"] = growth.lengths;
+  return json;
+}
+
+Json json_of(const MembraneSummary& membrane) {
+  Json json{{"strain_energy", membrane.strain_energy},
+            {"external_work", membrane.external_work},
+            {"residual", membrane.residual},
+            {"largest_displacement", membrane.largest_displacement},
+            {"reactions", Json::array()}};
+  for (const auto& [name, force] : membrane.reactions)
+    json["reactions"].push_back({{"name", name}, {"force_x", force.x()}, {"force_y", force.y()}});
   return json;
 }
 
@@ -281,6 +305,7 @@ std::string to_json(const Summary& summary) {
   if (summary.analysis.kind == plate::Analysis::Kind::frequencies) json["frequencies"] = list_of(summary.frequencies);
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));
   if (!summary.resonances.empty()) json["resonances"] = summary.resonances;
+  if (summary.membrane) json["membrane"] = json_of(*summary.membrane);
   if (summary.growth) json["growth"] = json_of(*summary.growth);
   json["energy"] = json_of(summary.energy);
   json["scene"] = list_of(summary.scene);

@@ -131,6 +131,18 @@ struct GrowthSummary {
   std::optional<double> first_load_factor_error = {};  // estimated, of tips
 };
 
+/// Summary of a plate in its plane.
+struct MembraneSummary {
+  struct Reaction {
+    std::string name;       // of the support
+    geometry::Point force;  // on the plate [force]
+  };
+  double strain_energy = 0, external_work = 0;
+  double residual = 0;              // of the equilibrium, relative
+  double largest_displacement = 0;  // sqrt(u^2 + v^2) of any point [length]
+  std::vector<Reaction> reactions;
+};
+
 /// Summary of the search for the discretisation.
 struct AccuracySummary {
   double asked = 0;
@@ -182,6 +194,7 @@ struct Summary {
   std::vector<ResponsePeak> response;                  // of a harmonic analysis
   std::vector<double> resonances;                      // likewise, within the sweep [1/time]
   std::optional<GrowthSummary> growth;                 // of a case with growth
+  std::optional<MembraneSummary> membrane;             // where loads act in the plane
   std::vector<std::pair<std::string, double>> energy;  // strain, kinetic, external_work, fracture
   std::vector<ScenePart> scene;
   std::vector<std::string> warnings;

@@ -131,6 +131,12 @@ std::string fields_of(const Mesh& mesh, const Frame& frame) {
   add("von_mises", mean, von_mises.transpose());
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, frame.state.cols());
   displacement.row(2) = frame.state.row(0);
+  if (const auto& in_plane = frame.in_plane) {
+    displacement.topRows<2>() = in_plane->displacement;
+    add("Nxx", mean, in_plane->force.row(0));
+    add("Nyy", mean, in_plane->force.row(1));
+    add("Nxy", mean, in_plane->force.row(2));
+  }
   add("displacement", linear, displacement);
   return text;
 }

@@ -79,6 +79,9 @@ std::vector<Point> singular(const plate::Formulation& plate) {
   for (const auto& tip : plate.tips()) result.push_back(tip.position);
   for (const auto& holder : plate.boundary().holders)
     if (holder.position) result.push_back(*holder.position);
+  for (const auto& support : plate.problem().supports)
+    if (support.held_in_plane() != plate::InPlane::free)
+      result.insert(result.end(), support.points.begin(), support.points.end());
   for (const auto& load : plate.problem().loads)
     if (const auto x = load.point()) result.push_back(*x);
   if (const auto& impact = plate.problem().impact) result.push_back(impact->position);

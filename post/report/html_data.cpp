@@ -131,7 +131,8 @@ const char* words(plate::SupportKind kind) {
       {clamped_layer, "clamped in a layer"},
       {simply_supported_layer, "simply supported in a layer"},
       {simply_supported_hard_layer, "simply supported in a layer, hard"},
-      {pinned, "pinned"}};
+      {pinned, "pinned"},
+      {in_plane, "held in the plane"}};
   return all.at(kind);
 }
 
@@ -170,16 +171,14 @@ struct Described {
     if (load.patch) add("patch", text_of(*load.patch));
     if (!load.gradient.isZero(0)) add("gradient", text_of(load.gradient)), add("from", text_of(load.from));
   }
-  void operator()(const plate::EdgeMoment& load) const {
-    add("twist", json_number(load.twist));
-    if (!load.tensor) return;
-    const auto [xx, yy, xy] = *load.tensor;
-    add("tensor", json_list({json_number(xx), json_number(yy), json_number(xy)}));
-  }
+  void operator()(const plate::EdgeMoment& load) const { add("twist", json_number(load.twist)), tensor(load.tensor); }
   void operator()(const plate::EdgeShear&) const {}
+  void operator()(const plate::EdgeTraction& load) const { add("shear", json_number(load.shear)), tensor(load.tensor); }
+  void operator()(const plate::BodyForce& load) const { add("vector", text_of(load.vector)); }
   void operator()(const plate::PointForce& load) const {
     moves(load);
     add("position", text_of(load.path.empty() ? load.position : load.path.front()));
+    if (load.vector != geometry::Point(0, 0)) add("vector", text_of(load.vector));
   }
   void operator()(const plate::LineLoad& load) const { add("along", text_of(load.along)); }
   void operator()(const plate::Temperature& load) const {
@@ -192,6 +191,11 @@ struct Described {
   }
 
 private:
+  void tensor(const std::optional<std::array<double, 3>>& components) const {
+    if (!components) return;
+    const auto [xx, yy, xy] = *components;
+    add("tensor", json_list({json_number(xx), json_number(yy), json_number(xy)}));
+  }
   template <class Moving>
   void moves(const Moving& load) const {
     if (load.path.empty()) return;
@@ -201,7 +205,14 @@ private:
 };
 
 std::string text_of(const plate::Load& load) {
-  const double value = std::visit([](const auto& one) { return one.value; }, load.action);
+  const double value = std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.value; })
+          return one.value;
+        else
+          return 0.0;
+      },
+      load.action);
   Members members{{"kind", json_text(load.name())},
                   {"value", json_number(value)},
                   {"edges", text_of(load.edges())},
@@ -286,6 +297,9 @@ std::string text_of(const plate::Support& s) {
   Members members{{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}};
   if (!s.along.empty()) members.emplace_back("along", text_of(s.along));
   if (s.patch) members.emplace_back("patch", text_of(*s.patch));
+  constexpr std::array in_plane{"free", "fixed", "normal", "tangential"};
+  if (const auto held = s.held_in_plane(); held != plate::InPlane::free)
+    members.emplace_back("in_plane", json_text(in_plane[std::size_t(held)]));
   return json_object(members);
 }
 

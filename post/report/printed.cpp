@@ -119,10 +119,31 @@ void factors(Text out, const std::vector<Srif>& srifs, bool si, double thickness
                      100 * second->difference);
 }
 
+/// The factors of loads in the plane, of recommended methods.
+void in_plane(Text out, const std::vector<Srif>& srifs, bool si) {
+  bool first = true;
+  for (const auto* one : recommended(srifs)) {
+    if (!one->membrane) continue;
+    const auto& [N, errors, resolved, G, thickness] = *one->membrane;
+    const double size = std::max(std::abs(N[0]), std::abs(N[1]));
+    if (std::exchange(first, false))
+      fmt::format_to(out, "in the plane{}:\n{:>4} {:>13} {:>13} {:>8}\n", si ? " [N m^-1/2]" : "", "tip", "N1", "N2",
+                     "error");
+    const auto text = [&](std::size_t i) {
+      return !resolved[i] ? "-" : std::abs(N[i]) < nothing * size ? "0" : fmt::format("{:.6g}", N[i]);
+    };
+    const double error = std::max(errors[0].value_or(0), errors[1].value_or(0));
+    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>8}\n", one->tip, text(0), text(1),
+                   size > 0 && errors[0] ? in_percent(error / size) : "");
+  }
+}
+
 /// The factors at the faces, of recommended methods.
 void faces(Text out, const Summary& summary, bool si) {
-  fmt::format_to(out, "at the faces, K_III in the middle plane{}:\n{:>4} {:>13} {:>13} {:>13} {:>13}{}\n",
-                 si ? " [Pa m^1/2]" : "", "tip", "K_I", "K_II", "K_III", "K_eq",
+  const bool both = std::ranges::any_of(summary.faces, [](const FaceFactors& one) { return one.below.has_value(); });
+  fmt::format_to(out, "at the faces, K_III in the middle plane{}:\n{:>4} {:>13} {:>13}{} {:>13} {:>13}{}\n",
+                 si ? " [Pa m^1/2]" : "", "tip", both ? "K_I, z>0" : "K_I", both ? "K_II, z>0" : "K_II",
+                 both ? fmt::format(" {:>13} {:>13}", "K_I, z<0", "K_II, z<0") : "", "K_III", "K_eq",
                  summary.toughness ? " of toughness" : "");
   for (std::size_t i = 0; i < summary.faces.size(); ++i) {
     const auto tip = summary.srif[i].tip;
@@ -132,7 +153,9 @@ void faces(Text out, const Summary& summary, bool si) {
       if (!value) return std::string("-");
       return std::abs(*value) < nothing * one.equivalent.value_or(0) ? "0" : fmt::format("{:.5g}", *value);
     };
-    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>13} {:>13}", tip, text(one.K[0]), text(one.K[1]), text(one.K[2]),
+    const auto below = one.below.value_or(std::array<std::optional<double>, 2>{});
+    fmt::format_to(out, "{:>4} {:>13} {:>13}{} {:>13} {:>13}", tip, text(one.K[0]), text(one.K[1]),
+                   both ? fmt::format(" {:>13} {:>13}", text(below[0]), text(below[1])) : "", text(one.K[2]),
                    text(one.equivalent));
     if (one.utilisation)
       fmt::format_to(out, " {:>8.3g}{}", *one.utilisation,
@@ -230,6 +253,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (summary.accuracy) accuracy(out, *summary.accuracy);
   if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
   if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);
+  in_plane(out, summary.srif, si);
   if (!summary.faces.empty() && (si || summary.toughness)) faces(out, summary, si);
   if (!summary.load_cases.empty()) text += printed_load_cases(summary, si, thickness);
   if (summary.reactions) {

@@ -46,6 +46,13 @@ std::optional<Srif> srif_of(const Json& json) {
     srif.errors[i] = optional<double>(json, error[i]);
   }
   srif.estimated_error = optional<double>(json, "estimated_error");
+  if (!json.contains("N1")) return srif;
+  auto& membrane = srif.membrane.emplace(MembraneFactors{{}, {}, {}, optional<double>(json, "G_in_plane")});
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto N = optional<double>(json, i == 0 ? "N1" : "N2");
+    membrane.resolved[i] = N.has_value(), membrane.N[i] = N.value_or(0);
+    membrane.errors[i] = optional<double>(json, i == 0 ? "estimated_error_N1" : "estimated_error_N2");
+  }
   return srif;
 }
 

@@ -139,13 +139,16 @@ void DrivenSupports::add_work(const Step& step, const Values<Real>& folded, cons
   }
   for (auto& one : driven_) one.follows_at = at_dof(step.state, one.dof) - one.now;
   const auto on_the_way = [](const Driven& one, double reaction, const auto& add) {
-    add(0, reaction * (one.now - one.before)), add(1, reaction * (one.next - one.now)), add(2, reaction * one.now);
+    add(0, reaction * (one.now - one.before)), add(1, reaction * (one.next - one.now));
   };
-  const auto [since, ahead, slowly] = sum<3>(
-      Terms{[&](const Driven& one, const auto& add) { on_the_way(one, one.inertia - one.force - one.beside, add); },
-            [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
-              on_the_way(one, mass * (leader.acceleration + alpha * leader.velocity), add);
-            }});
+  const auto [since, ahead, slowly] =
+      sum<3>(Terms{[&](const Driven& one, const auto& add) {
+                     on_the_way(one, one.inertia - one.force - one.beside, add);
+                     add(2, -one.force * one.now);  // slowly: neither inertia nor damping
+                   },
+                   [&](const Driven& one, double mass, const Leader& leader, const auto& add) {
+                     on_the_way(one, mass * (leader.acceleration + alpha * leader.velocity), add);
+                   }});
   if (beside.damps()) add_losses(alpha);
   if (counted_)
     work_ += (since + ahead_) / 2;

@@ -44,23 +44,39 @@ function factor_table(indices, wanted) {
   return table(columns, rows, { class: wanted, "data-table": wanted });
 }
 
+/** The factors of loads in the plane. */
+function in_plane_table(indices) {
+  const all = data.summary.srif, there = indices.filter(i => all[i].N1 !== undefined), names = ["N1", "N2"];
+  if (there.length === 0) return [];
+  const cell = (i, name) => {
+    const one = all[i], error = one[`estimated_error_${name}`], size = largest(names.map(key => one[key]));
+    if (one[name] === null) return "not resolved";
+    return [value(`srif[${i}].${name}`, 6, Math.abs(one[name]) < 1e-8 * size ? "0" : null), typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null];
+  };
+  return [element("h3", {}, "In the plane"), table([{ title: "tip" }, ...names.map(title => ({ title, unit: unit(title) }))],
+    there.map(i => [value(`srif[${i}].tip`), ...names.map(name => cell(i, name))]), { "data-table": "in_plane" }),
+    note("N1 = lim √(2r) N", element("sub", {}, "y′y′"), ", N2 = lim √(2r) N", element("sub", {}, "x′y′"), " of the membrane forces, without a factor π.")];
+}
+
 /** What the factors are at the faces of the plate, and how much of the toughness that takes. */
 function faces_table(indices) {
   const all = data.summary.srif, there = indices.filter(i => all[i].faces);
   if (there.length === 0) return [];
   const used = there.some(i => typeof all[i].faces.utilisation === "number"), face = unit("face");
   const bar = error => (typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null);
-  const columns = [{ title: "tip" }, ...["K_I", "K_II", "K_III", "K_eq"].map(name => ({ title: ["K", element("sub", {}, name.slice(2))], unit: face })), ...(used ? [{ title: "utilisation" }] : [])];
+  const both = there.some(i => all[i].faces.KI_top !== undefined), shown_names = both ? ["KI_top", "KI_bottom", "KII_top", "KII_bottom", "KIII", "K_eq"] : ["K_I", "K_II", "K_III", "K_eq"];
+  const title_of = name => ["K", element("sub", {}, name.replace("K_", "").replace(/^K/, "").split("_")[0]), name.endsWith("top") ? ", z > 0" : name.endsWith("bottom") ? ", z < 0" : ""];
+  const columns = [{ title: "tip" }, ...shown_names.map(name => ({ title: title_of(name), unit: face })), ...(used ? [{ title: "utilisation" }] : [])];
   const rows = there.map(i => {
-    const { faces } = all[i], path = `srif[${i}].faces`, size = largest(["K_I", "K_II", "K_III"].map(name => faces[name]));
+    const { faces } = all[i], path = `srif[${i}].faces`, size = largest(shown_names.map(name => faces[name]));
     const cell = name => (faces[name] === null ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 5));
     const share = faces.utilisation, beyond = share >= 1 ? "rough" : null;
-    return [value(`srif[${i}].tip`), cell("K_I"), cell("K_II"), cell("K_III"), [cell("K_eq"), bar(faces.estimated_error_K_eq)],
+    return [value(`srif[${i}].tip`), ...shown_names.slice(0, -1).map(cell), [cell("K_eq"), bar(faces.estimated_error_K_eq)],
       ...(used ? [element("span", { class: beyond }, value(`${path}.utilisation`, 4), bar(faces.estimated_error_utilisation))] : [])];
   });
   const { toughness } = data.summary;
   return [element("h3", {}, "Stress intensity at the faces"), table(columns, rows, { "data-table": "faces" }),
-    note("I and II at the face z > 0, with the other sign at z < 0; III in the middle plane. eq: of mode 1, with the same energy at the height where that is most.",
+    note(both ? "III in the middle plane. eq:" : "I and II at the face z > 0, with the other sign at z < 0; III in the middle plane. eq:", " of mode 1, with the same energy at the height where that is most.",
       toughness ? [" Utilisation: this over the toughness ", value("toughness", 4), face ? ` ${face}` : "", "."] : "")];
 }
 
@@ -79,7 +95,7 @@ function factors_section() {
   const second = second_formulations(first);
   return section(moves ? "Intensity factors at the end" : "Intensity factors", factor_table(first, "recommended"),
     note("The method that is recommended for each tip. ± is the estimated error of each factor in its unit; the column error is the largest of them, relative to the largest factor of the tip."),
-    second.length ? element("ul", {}, second) : null, faces_table(first),
+    second.length ? element("ul", {}, second) : null, in_plane_table(first), faces_table(first),
     others.length ? folded("For comparison: other methods", factor_table(others, "comparison"),
       note("By other ways from the same solution. They are here to judge by, not to be used in the place of the recommended ones.")) : null,
     folded("What K1, K2 and K3 are", note("K1 = lim √(2r) M", element("sub", {}, "y′y′"), ", K2 = lim √(2r) M", element("sub", {}, "x′y′"), ", K3 = lim √(2r) Q", element("sub", {}, "y′"),

@@ -149,6 +149,20 @@ function moment_mark({ at, out, t }, positive) {
   return drawn("g", { class: "load" }, drawn("path", { d: `M${a}Q${top} ${b}`, class: "arc" }), drawn("path", { d: path_of(head, p => p, true), class: "head" }));
 }
 
+/** An arrow along a force in the plane, which begins 4 away from a place. */
+function flat_arrow(at, [fx, fy]) {
+  const size = Math.hypot(fx, fy);
+  if (size === 0) return null;
+  const way = [fx / size, -fy / size], aside = [-way[1], way[0]], end = shifted(at, way, 24), head = [end, shifted(shifted(end, way, -7), aside, 3.5), shifted(shifted(end, way, -7), aside, -3.5)];
+  return drawn("g", { class: "load" }, drawn("path", { d: path_of([shifted(at, way, 4), end], p => p), class: "arc" }), drawn("path", { d: path_of(head, p => p, true), class: "head" }));
+}
+
+/** The force per length of a traction on an edge with this outward normal. */
+function traction_on({ tensor, value = 0, shear = 0 }, [x, y]) {
+  if (tensor) return [tensor[0] * x + tensor[2] * y, tensor[2] * x + tensor[1] * y];
+  return [value * x - shear * y, value * y + shear * x];
+}
+
 function load_marks(load, box, { map, scale }) {
   if (load.path) {
     const { path, ...still } = load;
@@ -156,12 +170,14 @@ function load_marks(load, box, { map, scale }) {
   }
   if (load.kind === "pressure") return pressure_marks(load, box, map);
   if (load.kind === "line_load") return line_marks(load, map);
-  if (load.kind === "point_force") return page_arrow(map(load.position), load.value > 0, 6);
+  if (load.kind === "point_force") return [load.value || !load.vector ? page_arrow(map(load.position), load.value > 0, 6) : null, load.vector ? flat_arrow(map(load.position), load.vector) : null].filter(Boolean);
+  if (load.kind === "body_force") return flat_arrow(map([0, 1].map(c => (box.low[c] + box.high[c]) / 2)), load.vector);
   if (load.kind === "settlement") {
     const support = plate.supports[load.support], towards = load.value > 0;
     return [...support.points.map(p => shifted(map(p), [0, -9], 1)), ...(support.patch ? [map(hole_vertices(support.patch)[0])] : along(held_by(support), map, 36).map(({ at, out }) => shifted(at, out, -8)))].map(at => page_arrow(at, towards, 4));
   }
   const edges = all_edges().filter(edge => load.edges.includes(edge.name));
+  if (load.kind === "edge_traction") return along(edges, map, 46).map(({ at, out }) => flat_arrow(at, traction_on(load, [out[0], -out[1]]))).filter(Boolean);
   if (load.kind === "edge_shear") return along(edges, map, 24).map(({ at, out }) => page_arrow(shifted(at, out, 8), load.value > 0, 4.5));
   return along(edges, map, 46).map(place => moment_mark(place, (load.tensor ? load.tensor.find(x => x !== 0) ?? 1 : load.value || load.twist) > 0));
 }
@@ -208,10 +224,10 @@ function plate_drawing() {
 /** What the drawing shows, in words. */
 function plate_words() {
   const { section: s } = plate, on = edges => (edges.length ? ` on ${listed(edges)}` : "");
-  const support = one => `${one.kind}${one.points.length ? ` at ${one.points.length} points` : one.along ? " along a line" : one.patch ? " on a part" : on(one.edges)}`;
+  const support = one => `${one.kind}${one.points.length ? ` at ${one.points.length} points` : one.along ? " along a line" : one.patch ? " on a part" : on(one.edges)}${one.in_plane ? `, in the plane ${one.in_plane}` : ""}`;
   const load = one => {
-    const value_of = one.tensor ? `Mxx, Myy, Mxy = ${one.tensor.map(x => shown(x)).join(", ")}` : one.expression ?? shown(one.value);
-    const twist = one.twist ? `, twist ${shown(one.twist)}` : "", pair = ([x, y]) => `(${shown(x)}, ${shown(y)})`;
+    const value_of = one.tensor ? `${one.kind === "edge_traction" ? "Nxx, Nyy, Nxy" : "Mxx, Myy, Mxy"} = ${one.tensor.map(x => shown(x)).join(", ")}` : one.vector ? `${one.value ? `${shown(one.value)} along w and ` : ""}(${one.vector.map(x => shown(x)).join(", ")})` : one.expression ?? shown(one.value);
+    const twist = (one.twist ? `, twist ${shown(one.twist)}` : "") + (one.shear ? `, shear ${shown(one.shear)}` : ""), pair = ([x, y]) => `(${shown(x)}, ${shown(y)})`;
     const place = (one.position ? ` at ${pair(one.position)}` : "") + (one.gradient ? ` at ${pair(one.from)} with the gradient ${pair(one.gradient)}` : "") + (one.patch ? (one.patch.centre ? ` on a circle about ${pair(one.patch.centre)}` : ` on ${one.patch.vertices.map(pair).join(" ")}`) : "") + (one.along ? ` along ${one.along.map(pair).join(" ")}` : "") + (one.path ? ` that moves along ${one.path.map(pair).join(" ")} with ${shown(one.speed)}` : "") + (one.kind === "settlement" ? `${one.rotation ? `, rotation ${shown(one.rotation)}` : ""} of ${support(plate.supports[one.support])}` : "");
     return `${spaced(one.kind)} ${value_of}${unit(one.kind) ? ` ${unit(one.kind)}` : ""}${twist}${on(one.edges)}${place}${one.history ? `, ${one.history}` : ""}`;
   };

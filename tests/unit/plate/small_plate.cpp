@@ -66,9 +66,12 @@ Eigen::MatrixXd stiffness(const plate::FamilyOperator& op) {
 
 Eigen::MatrixXd prolongation(const plate::Constraints& constraints, Eigen::Index dofs) {
   Eigen::MatrixXd all = Eigen::MatrixXd::Identity(dofs, dofs);
-  for (const auto dof : constraints.fixed()) all(dof, dof) = 0;
+  const auto number = [](const plate::Dof& dof) {
+    return plate::index_by_points(Eigen::Index(dof.point), dof.component);
+  };
+  for (const auto dof : constraints.fixed()) all(number(dof), number(dof)) = 0;
   for (const auto& tie : constraints.ties())
-    all(tie.follower, tie.follower) = 0, all(tie.follower, tie.leader) = tie.factor;
+    all(number(tie.follower), number(tie.follower)) = 0, all(number(tie.follower), number(tie.leader)) = tie.factor;
   std::vector<Eigen::Index> free;
   for (Eigen::Index n = 0; n < dofs; ++n)
     if (all(n, n) == 1) free.push_back(n);

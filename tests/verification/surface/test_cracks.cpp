@@ -83,7 +83,7 @@ TEST_CASE("surface nodes with a crack: reactions of edges held all round balance
   const auto held = s.plate->constraints().on_held(force);
   double sum = 0;
   for (std::size_t i = 0; i < s.plate->constraints().held().size(); ++i)
-    if (s.plate->constraints().held()[i] % 3 == 0) sum += held[Eigen::Index(i)];
+    if (is_deflection(s.plate->constraints().held()[i])) sum += held[Eigen::Index(i)];
   CHECK(sum == Approx(4).epsilon(1e-9));  // measured: 4e-16
 }
 

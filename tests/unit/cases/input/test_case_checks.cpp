@@ -14,7 +14,7 @@ TEST_CASE("supports are checked against the plate") {
   expect(support("kind = \"pinned\"\nedges = [\"top\"]\npoints = [[0, 0.5]]"), ":20", "support[1].edges",
          "other than pinned only");
   expect(support("kind = \"free\"\nedges = [\"top\"]\npoints = [[0, 0.5]]"), ":21", "support[1].points",
-         "kind = pinned or clamped only");
+         "kind = pinned, clamped or in_plane only");
   expect(support("kind = \"pinned\"\npoints = [[1, 1], [2, 0]]"), ":20", "support[1].points", "[2, 0] given");
   CHECK(problems(support("kind = \"pinned\"\npoints = [[1, 1], [0, 0.5]]")).empty());
 }

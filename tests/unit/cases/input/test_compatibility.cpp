@@ -54,6 +54,7 @@ std::vector<Sample> samples() {
       {moving_load, moving,
        "{ kind = 'point_force', value = 1, path = [[0.5, 0.3], [0.5, 0.8]], speed = 1, history = 'ramp', rise_time = "
        "0.1 }"},
+      {load_in_plane, {}, "{ kind = 'edge_traction', edges = ['right'], value = 1 }"},
       {unilateral_foundation, {{"foundation", "[{ modulus = 1, lifts_off = true }]"}}},
       {temperature, {{"section.thermal_expansion", "1e-5"}}, "{ kind = 'temperature', value = 1 }"},
       {load_cases, {{"case", "[{ name = 'a', load = [{ kind = 'pressure', value = 1 }] }]"}}},

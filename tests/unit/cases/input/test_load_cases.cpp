@@ -46,8 +46,8 @@ TEST_CASE("keys of load cases: problems are at the load, all in one message") {
   CHECK(keys.size() == 3);
   expect(two, ":1", "section.density", "case[0].load[0] is the plate's own weight");
   expect(plain + "[[case]]\nname = \"a b\"\n", ":19", "case[0].name", "letters, digits");
-  expect(plain + "[[case]]\nname = \"a\"\n[growth]\nfracture_energy = 1\n", ":20", "growth", "another plate");
-  expect(plain + "[[case]]\nname = \"a\"\n", "--set srif.accuracy", "srif.accuracy", "of one load",
+  expect(plain + "[[case]]\nname = \"a\"\n[growth]\nfracture_energy = 1\n", ":20", "growth", "share no plate");
+  expect(plain + "[[case]]\nname = \"a\"\n", "--set srif.accuracy", "srif.accuracy", "for one load",
          {"srif.accuracy=0.01"});
   expect(plain + "[[combination]]\nname = \"a\"\nof = { b = 1 }\n", ":18", "combination", "no [[case]]");
 }
@@ -57,7 +57,8 @@ TEST_CASE("keys of loads: expressions and own weight stand for the value") {
   CHECK(problems(load("expression = \"sin(pi * x) * y\"")).empty());
   CHECK(read(load("expression = \"x + 2\"")).content.loads[0].as<plate::Pressure>()->at({1, 0}) == 3);
   expect(load("expression = \"x + z\""), ":15", "load[0].expression", "\"z\" at character");
-  expect(load("expression = \"x\"\nvalue = 1"), ":16", "load[0].value", "neither expression, table nor gravity only");
+  expect(load("expression = \"x\"\nvalue = 1"), ":16", "load[0].value",
+         "neither body_force, expression, table nor gravity only");
   expect(load("expression = \"x\"\ngradient = [1, 0]"), ":16", "load[0].gradient", "with a value, without level only");
   expect(load("expression = \"x\"\ngravity = 1"), ":16", "load[0].gravity", "without expression and table only", heavy);
   expect(load("gravity = 9.81"), ":1", "section.density", "is missing");

@@ -8,7 +8,7 @@ TEST_CASE("loads are checked against the plate and against themselves") {
   expect(load("kind = \"edge_shear\"\nvalue = 1"), ":18", "load[1].edges", "is missing");
   expect(load("kind = \"edge_shear\"\nvalue = 1\nedges = [\"tob\"]"), ":21", "load[1].edges", "did you mean 'top'?");
   expect(load("kind = \"pressure\"\nvalue = 1\nedges = [\"top\"]"), ":21", "load[1].edges",
-         "kind = edge_moment or edge_shear only");
+         "kind = edge_moment or edge_shear or edge_traction only");
   expect(load("kind = \"presure\"\nvalue = 1"), ":19", "load[1].kind", "did you mean 'pressure'?");
   expect(load("kind = \"point_force\"\nvalue = 1"), ":18", "load[1].position", "is missing");
   expect(load("kind = \"point_force\"\nvalue = 1\nposition = [1, 0]"), ":21", "load[1].position",

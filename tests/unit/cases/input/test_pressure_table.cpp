@@ -40,7 +40,7 @@ TEST_CASE("tables that are wrong are refused") {
   const Csv narrow("-1,-1,1\n1,-1,2\n-1,0.9,3\n1,0.9,4\n");
   expect(table(narrow.name), ":15", "load[0].table", "do not reach [1, 1]");
   expect(table(narrow.name, "on = { circle = [0, 0, 0.5] }\nvalue = 2"), ":17", "load[0].value",
-         "neither expression, table nor gravity only");
+         "neither body_force, expression, table nor gravity only");
   CHECK(problems(table(narrow.name, "on = { circle = [0, 0, 0.5] }")).empty());
 }
 

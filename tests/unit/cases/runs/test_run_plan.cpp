@@ -1,6 +1,7 @@
 #include "cases/runs/run_plan.hpp"
 
 #include "cases/input/case_file.hpp"
+#include "cases/runs/outputs.hpp"
 #include "plate/solve/motion/time_grid.hpp"
 #include "post/files/results_in_memory.hpp"
 #include "post/report/html_report.hpp"

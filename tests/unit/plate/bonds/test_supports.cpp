@@ -13,13 +13,13 @@ using geometry::Point;
 namespace {
 
 /// Tie of a degree of freedom: (leader, factor); nothing where it is free.
-std::optional<std::pair<std::uint32_t, double>> tie_of(const Boundary& b, std::uint32_t dof) {
+std::optional<std::pair<Dof, double>> tie_of(const Boundary& b, const Dof& dof) {
   for (const auto& tie : b.constraints.ties())
     if (tie.follower == dof) return std::pair{tie.leader, tie.factor};
   return std::nullopt;
 }
 
-bool is_fixed(const Boundary& b, std::uint32_t dof) {
+bool is_fixed(const Boundary& b, const Dof& dof) {
   const auto& all = b.constraints.fixed();
   return std::find(all.begin(), all.end(), dof) != all.end();
 }
@@ -31,9 +31,9 @@ void check_image(const Boundary& b, const Point& u, const Point& original, const
   REQUIRE(k);
   CHECK_FALSE(b.is_plate(*image));
   for (std::uint32_t c = 0; c < 3; ++c) {
-    const auto tie = tie_of(b, 3 * *image + c);
+    const auto tie = tie_of(b, dof(*image, c));
     REQUIRE(tie);
-    CHECK(tie->first == 3 * *k + c);
+    CHECK(tie->first == dof(*k, c));
     CHECK(tie->second == signs[c]);
   }
 }
@@ -84,9 +84,9 @@ TEST_CASE("soft support: the first row's deflection is a third of the second's, 
   const Boundary b = held({{SupportKind::simply_supported, {"left", "bottom"}, {}}});
   CHECK(b.fictitious.empty());
   const auto check = [&](const Point& u, const Point& leader, double factor) {
-    const auto tie = tie_of(b, 3 * *point_at(b, u));
+    const auto tie = tie_of(b, dof(*point_at(b, u), 0));
     REQUIRE(tie);
-    CHECK(tie->first == 3 * *point_at(b, leader));
+    CHECK(tie->first == dof(*point_at(b, leader), 0));
     CHECK(tie->second == Approx(factor).epsilon(1e-14));  // measured: 0
   };
   check({0.5, 4.5}, {1.5, 4.5}, 1.0 / 3);
@@ -103,11 +103,11 @@ TEST_CASE("soft support on a plate one cell wide holds its points at zero") {
 
 TEST_CASE("pins hold their place next to a point, which turns about it, or the point itself") {
   const Boundary b = held({{SupportKind::pinned, {}, {{1.6, 2.2}, {7.5, 6.5}}}});
-  CHECK(b.constraints.fixed() == std::vector<std::uint32_t>{3 * 55});
+  CHECK(b.constraints.fixed() == std::vector<Dof>{dof(55, 0)});
   REQUIRE(b.constraints.ties().size() == 2);
   for (const auto& tie : b.constraints.ties()) {  // w = -(0.1, -0.3) . psi, psi = (-theta_y, theta_x)
-    CHECK(tie.follower == 3 * 17);
-    CHECK(tie.factor == Approx(tie.leader == 3 * 17 + 1 ? 0.3 : 0.1));
+    CHECK(tie.follower == dof(17, 0));
+    CHECK(tie.factor == Approx(tie.leader == dof(17, 1) ? 0.3 : 0.1));
   }
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("layers: three cells outside a held edge, with the squares between two
     REQUIRE(k);
     CHECK(b.active[*k]);  // stores energy
     CHECK(b.cloud.areas[*k] == 1);
-    return std::array<bool, 3>{is_fixed(b, 3 * *k), is_fixed(b, 3 * *k + 1), is_fixed(b, 3 * *k + 2)};
+    return std::array<bool, 3>{is_fixed(b, dof(*k, 0)), is_fixed(b, dof(*k, 1)), is_fixed(b, dof(*k, 2))};
   };
   const bool clamp = kind == clamped_layer, hard = kind == simply_supported_hard_layer;
   CHECK(fixes({-2.5, 3.5}) == std::array<bool, 3>{true, clamp || hard, clamp});  // vertical edge: theta_x is tangential
@@ -147,9 +147,9 @@ TEST_CASE("an edge off the lattice is held by outside points that follow the poi
   std::size_t followers = 0;
   for (std::uint32_t i = 56; i < b.lattice.size(); ++i) {
     CHECK(b.lattice[i].y() > 6.75);
-    const auto tie = tie_of(b, 3 * i);
+    const auto tie = tie_of(b, dof(i, 0));
     REQUIRE(tie);
-    const Point& leader = b.lattice[tie->first / 3];
+    const Point& leader = b.lattice[tie->first.point];
     // w = 0 on the line between the two
     CHECK(tie->second == Approx(-(b.lattice[i].y() - 6.75) / (6.75 - leader.y())).epsilon(1e-12));  // measured: 0
     ++followers;

@@ -154,10 +154,10 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   const State given = small_plate::random_state(points, 8), theirs = small_plate::random_state(points, 9);
   const auto others = std::make_shared<FromOthers>(theirs);
   Constraints c;
-  c.fix(d(1)), c.fix(3 * 2 + 1);     // own, and a copy: zero whatever comes
-  c.tie(d(2), {{d(3), 2}});          // own follows own
-  c.tie(4, {{3 * 3, 0.5}, {0, 1}});  // own follows a copy too
-  c.tie(3 * 3 + 1, {{0, 3}});        // a copy follows own
+  c.fix(d(1)), c.fix(d(7));               // own, and a copy: zero whatever comes
+  c.tie(d(2), {{d(3), 2}});               // own follows own
+  c.tie(d(4), {{d(9), 0.5}, {d(0), 1}});  // own follows a copy too
+  c.tie(d(10), {{d(0), 3}});              // a copy follows own
   c.resolve();
   c.share(plate::single_process(), {2, 3}, others);
   CHECK(c.pending(points) == std::vector<char>{0, 1, 1, 1});

@@ -53,7 +53,8 @@ std::vector<Soil> soils(const Foundation& foundation, double spacing = 0.1) {
 
 Eigen::MatrixXd dense(const ElasticSupport& a) {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(Eigen::Index(3 * a.points), Eigen::Index(3 * a.points));
-  a.for_each([&](std::uint32_t row, std::uint32_t column, double value) { K(row, column) += value; });
+  const auto number = [](const Dof& dof) { return index_by_points(Eigen::Index(dof.point), dof.component); };
+  a.for_each([&](const Dof& row, const Dof& column, double value) { K(number(row), number(column)) += value; });
   return K;
 }
 

@@ -41,7 +41,7 @@ TEST_CASE(
 TEST_CASE("inertia: symmetric, and held degrees of freedom have none") {
   const auto plate = cells(true);
   Constraints held;
-  held.fix(0), held.fix(7);
+  held.fix(dof(0, 0)), held.fix(dof(2, 1));
   held.resolve();
   const Inertia inertia(section, plate, held, 1);
   State u = State::Random(3, Eigen::Index(plate.positions.size())), v = State::Random(3, u.cols());

@@ -47,7 +47,7 @@ TEST_CASE("a line holds what lies on it of every linear field, a part all of its
     CHECK(in_part >= 4);
     for (const auto& hold : b.holds)
       if (hold.holder == 1)
-        for (std::uint32_t i = 0; i < 3; ++i) CHECK(b.constraints.held(3 * hold.point + i));
+        for (std::uint32_t i = 0; i < 3; ++i) CHECK(b.constraints.held(dof(hold.point, i)));
   }
 }
 

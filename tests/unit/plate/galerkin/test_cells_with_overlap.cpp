@@ -22,6 +22,10 @@ namespace {
 
 using geometry::Point;
 
+double number(const Dof& dof) {
+  return double(index_by_points(std::int64_t(dof.point), dof.component));
+}
+
 /// Numbers, and what they are of, that two ways to a part must agree on.
 struct Told {
   std::vector<std::pair<std::string, std::vector<double>>> all;
@@ -29,7 +33,11 @@ struct Told {
   template <typename Values>
   void add(const std::string& what, const Values& values) {
     auto& own = all.emplace_back(what, std::vector<double>()).second;
-    for (const auto& value : values) own.push_back(double(value));
+    for (const auto& value : values)
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Dof>)
+        own.push_back(number(value));
+      else
+        own.push_back(double(value));
   }
   void add_points(const std::string& what, const std::vector<Point>& values) {
     auto& own = all.emplace_back(what, std::vector<double>()).second;
@@ -60,7 +68,7 @@ void add_boundary(const Boundary& boundary, std::size_t motions, Told& told) {
     told.add("hold", std::array{point, holder, std::uint32_t(rotations)});
   told.add("fixed", boundary.constraints.fixed());
   for (const auto& [follower, leader, factor] : boundary.constraints.ties())
-    told.add("tie", std::array{double(follower), double(leader), factor});
+    told.add("tie", std::array{number(follower), number(leader), factor});
   for (std::size_t motion = 0; motion < motions; ++motion) {
     const auto lift = boundary.constraints.lift(motion, boundary.cloud.size());
     told.add_matrix("lift", lift.cols() > 0 ? lift : State::Zero(3, Eigen::Index(boundary.cloud.size())));
@@ -99,7 +107,7 @@ Told told_of(const Communicator& all, const Problem& problem, const std::vector<
     told.add_matrix("forces", restricted(nodal_forces(load, cells, areas, map), part.part));
     if (!load.moves()) continue;
     for (const auto& [time, forces] : restricted(moving_forces(load, cells, areas.size(), map), part).stations)
-      for (const auto& [dof, force] : forces) told.add("station", std::array{time, double(dof), force});
+      for (const auto& [dof, force] : forces) told.add("station", std::array{time, number(dof), force});
   }
   return told;
 }

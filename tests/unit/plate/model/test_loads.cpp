@@ -19,7 +19,9 @@ std::vector<Load> all_kinds() {
           Load{PointForce{.position = {0.5, 0.25}, .value = 2}},
           Load{LineLoad{.along = line, .value = 2}},
           Load{Temperature{.value = 2, .formula = Formula("x + 1")}},
-          Load{Settlement{.support = 1, .value = 2, .slope = {3, 4}, .rotation = 5}}};
+          Load{Settlement{.support = 1, .value = 2, .slope = {3, 4}, .rotation = 5}},
+          Load{EdgeTraction{.edges = edges, .value = 2, .shear = 3, .tensor = {{4, 5, 6}}}},
+          Load{BodyForce{.vector = {3, 4}}}};
 }
 
 }  // namespace
@@ -48,7 +50,7 @@ TEST_CASE("loads: what several kinds have is empty where a kind has none") {
   for (const auto& load : loads) {
     const auto name = load.name();
     CAPTURE(name);
-    CHECK(load.edges().empty() == (name != "edge_moment" && name != "edge_shear"));
+    CHECK(load.edges().empty() == (name != "edge_moment" && name != "edge_shear" && name != "edge_traction"));
     CHECK(load.line().empty() == (name != "line_load"));
     CHECK(load.path().empty() == (name != "pressure"));
     CHECK(load.formula().given() == (name == "pressure" || name == "temperature"));
@@ -64,7 +66,11 @@ TEST_CASE("loads: twice a load has twice every amount, and the same places") {
   auto loads = all_kinds();
   for (auto& load : loads) {
     scale(load, 2);
-    std::visit([](const auto& action) { CHECK(action.value == 4); }, load.action);
+    std::visit(
+        [](const auto& action) {
+          if constexpr (requires { action.value; }) CHECK(action.value == 4);
+        },
+        load.action);
     if (load.formula().given()) CHECK(load.formula()({3, 0}) == 8);
   }
   const auto& pressure = *loads[0].as<Pressure>();
@@ -76,6 +82,10 @@ TEST_CASE("loads: twice a load has twice every amount, and the same places") {
   CHECK(moment.tensor == std::array<double, 3>{8, 10, 12});
   CHECK(loads[3].point() == Point(0.5, 0.25));
   CHECK(loads[4].line()[1] == Point(1, 2));
+  const auto& traction = *loads[7].as<EdgeTraction>();
+  CHECK(traction.shear == 6);
+  CHECK(traction.tensor == std::array<double, 3>{8, 10, 12});
+  CHECK(loads[8].as<BodyForce>()->vector == Point(6, 8));
   const auto& settlement = *loads[6].as<Settlement>();
   CHECK(settlement.support == 1);
   CHECK(settlement.slope == Point(6, 8));

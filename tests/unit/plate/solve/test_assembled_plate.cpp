@@ -43,8 +43,8 @@ TEST_CASE("folded diagonal: that of P^T K P, zero where the plate is held") {
   const auto cells = gp::scenes().front();
   const GalerkinOperator op(gp::families(cells), gp::section);
   Constraints constraints;
-  constraints.fix(4);
-  constraints.tie(8, {{31, -2}});
+  constraints.fix(dof_by_points(4));
+  constraints.tie(dof_by_points(8), {{dof_by_points(31), -2}});
   constraints.resolve();
   const auto K = gp::stiffness(op.families(), gp::section);
   const auto diagonal = folded_diagonal(op, constraints);

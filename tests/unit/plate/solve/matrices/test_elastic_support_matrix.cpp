@@ -24,8 +24,8 @@ TEST_CASE("a matrix with what is attached couples what either couples") {
   for (std::size_t i = 0; i < matrix.block.size(); ++i) matrix.block[i].setConstant(double(i + 1));
   for (std::size_t k = 0; k < 5; ++k) matrix.block[matrix.first[k]].setIdentity();
   ElasticSupportSum sum(5);
-  sum.add(2, {{3 * 0, 1}, {3 * 4 + 2, -1}});
-  sum.add(3, {{3 * 1 + 1, 1}, {3 * 2, 1}});
+  sum.add(2, {{dof(0, 0), 1}, {dof(4, 2), -1}});
+  sum.add(3, {{dof(1, 1), 1}, {dof(2, 0), 1}});
   std::vector<ElasticSupport> parts;
   parts.push_back(std::move(sum).taken("spring0", {}));
   const ElasticSupports elastic_supports(std::move(parts));

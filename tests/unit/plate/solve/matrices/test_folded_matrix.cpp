@@ -5,18 +5,27 @@
 
 using namespace plate;
 
+namespace {
+
+/// Degree of freedom by its number where the values of a point stand together.
+Dof d(int number) {
+  return dof_by_points(number);
+}
+
+}  // namespace
+
 TEST_CASE("folded matrix: P^T K P of ties within a point, to others, to two of them and in chains") {
   for (const unsigned seed : {1u, 2u, 3u})
     for (const double share : {0.3, 1.0}) {
       const auto matrix = random_matrix::of(9, share, seed);
       Constraints constraints;
-      constraints.fix(0), constraints.fix(13);
-      constraints.tie(4, {{5, -0.5}});           // of the same point
-      constraints.tie(7, {{19, 2}});             // to one behind
-      constraints.tie(20, {{1, 0.25}});          // to one ahead
-      constraints.tie(22, {{2, 1}, {10, -3}});   // to two
-      constraints.tie(8, {{22, 0.5}, {13, 1}});  // to what follows, and to what is fixed
-      constraints.tie(6, {{8, -1}});
+      constraints.fix(d(0)), constraints.fix(d(13));
+      constraints.tie(d(4), {{d(5), -0.5}});              // of the same point
+      constraints.tie(d(7), {{d(19), 2}});                // to one behind
+      constraints.tie(d(20), {{d(1), 0.25}});             // to one ahead
+      constraints.tie(d(22), {{d(2), 1}, {d(10), -3}});   // to two
+      constraints.tie(d(8), {{d(22), 0.5}, {d(13), 1}});  // to what follows, and to what is fixed
+      constraints.tie(d(6), {{d(8), -1}});
       constraints.resolve();
       const auto P = small_plate::prolongation(constraints, 27);
       const Eigen::MatrixXd expected = dense::folded(random_matrix::dense(matrix), P);

@@ -32,7 +32,7 @@ TEST_CASE(
 TEST_CASE("what acts beside the stiffness: a mass that presses, and what it remembers of it") {
   DynamicOptions options;
   options.time_step = 0.1;
-  options.impact = Impactor{{{0, 1.0}}, 2, 3, 40};
+  options.impact = Impactor{{{dof(0, 0), 1.0}}, 2, 3, 40};
   const State state = State::Zero(3, 1);
   ContactAndDamping contact_and_damping(options, state);
   CHECK((contact_and_damping.acts() && !contact_and_damping.damps()));

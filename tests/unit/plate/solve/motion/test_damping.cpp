@@ -25,7 +25,7 @@ struct Single {
 
   Single() {
     mass(0, 0) = 0.5, at(0, 0) = 0.3, moving(0, 0) = -0.7;  // omega = 2
-    constraints.fix(1), constraints.fix(2);
+    constraints.fix(dof(0, 1)), constraints.fix(dof(0, 2));
     constraints.resolve();
   }
 };

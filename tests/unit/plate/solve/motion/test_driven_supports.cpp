@@ -9,8 +9,8 @@ using namespace plate;
 
 TEST_CASE("without settlements nothing is driven, with them what is held is where its history puts it") {
   Constraints constraints;
-  constraints.fix(0, {{1, 0.5}});
-  constraints.tie(3, {{6, 2}}, {{1, -1}});
+  constraints.fix(dof(0, 0), {{1, 0.5}});
+  constraints.tie(dof(1, 0), {{dof(2, 0), 2}}, {{1, -1}});
   constraints.resolve();
   std::vector<TimedLoad> loads(2);
   for (auto& load : loads) load.forces = Forces::Zero(3, 3);

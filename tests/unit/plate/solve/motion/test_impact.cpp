@@ -27,8 +27,8 @@ struct Seen {
 Seen hit(const Operator& plate, double mass_of_point, const Impactor& impactor, double step, std::size_t steps,
          bool held = false) {
   Constraints constraints;
-  if (held) constraints.fix(0);
-  constraints.fix(1), constraints.fix(2);
+  if (held) constraints.fix(dof(0, 0));
+  constraints.fix(dof(0, 1)), constraints.fix(dof(0, 2));
   constraints.resolve();
   Forces mass = Forces::Zero(3, 1);
   mass(0, 0) = held ? 0 : mass_of_point;
@@ -51,7 +51,7 @@ TEST_CASE("impact: two bodies part with the velocities of an elastic impact afte
   for (const double M : {0.2, 1.0, 50.0})
     for (const double v : {3.0, -3.0}) {
       const double m = 2, k = 800, reduced = m * M / (m + M), half = std::acos(-1) * std::sqrt(reduced / k);
-      const auto seen = hit(plate, M, {{{0, 1.0}}, m, v, k}, half / 2000, 2600);
+      const auto seen = hit(plate, M, {{{dof(0, 0), 1.0}}, m, v, k}, half / 2000, 2600);
       CAPTURE(M, v);
       CHECK(seen.velocity.back() == Approx((m - M) / (m + M) * v).epsilon(1e-4).margin(1e-4));
       CHECK(seen.of_point.back() == Approx(2 * m / (m + M) * v).epsilon(1e-4));
@@ -74,18 +74,18 @@ TEST_CASE("impact: two bodies part with the velocities of an elastic impact afte
 TEST_CASE("impact: what is held throws the mass back as it came") {
   const Free plate;
   const double m = 2, k = 800, half = std::acos(-1) * std::sqrt(m / k);
-  const auto seen = hit(plate, 1, {{{0, 1.0}}, m, -5, k}, half / 2000, 2400, true);
+  const auto seen = hit(plate, 1, {{{dof(0, 0), 1.0}}, m, -5, k}, half / 2000, 2400, true);
   CHECK(seen.velocity.back() == Approx(5).epsilon(1e-5));
 }
 
 TEST_CASE("impact: the step is stable for the plate with the spring tied to it, and short for the contact") {
   Constraints constraints;
-  constraints.fix(1), constraints.fix(2);
+  constraints.fix(dof(0, 1)), constraints.fix(dof(0, 2));
   constraints.resolve();
   Forces mass = Forces::Zero(3, 1);
   mass(0, 0) = 0.5;  // of a chain of one: omega = 2
   for (const double k : {1e-3, 7.0, 1e9}) {
-    const Impactor impactor{{{0, 1.0}}, 3, 1, k};
+    const Impactor impactor{{{dof(0, 0), 1.0}}, 3, 1, k};
     Eigen::Matrix2d K, M;
     K << 2 + k, -k, -k, k;
     M << 0.5, 0, 0, 3;

@@ -8,7 +8,7 @@ using namespace plate;
 
 TEST_CASE("loads that move do the work of their forces, and go on as they were") {
   MovingForces forces;
-  forces.stations = {{0, {{3, 2.0}}}, {1, {{6, 2.0}}}};  // from point 1 to point 2
+  forces.stations = {{0, {{dof(1, 0), 2.0}}}, {1, {{dof(2, 0), 2.0}}}};  // from point 1 to point 2
   std::vector<TimedLoad> loads(1);
   loads[0].moving = std::make_shared<MovingForces>(forces);
   const Constraints constraints;
@@ -46,7 +46,7 @@ TEST_CASE("loads that move leave at the end of their path, in their work as in t
   const double dt = 0.01;
   for (int last = 2; last < 60; ++last) {
     MovingForces forces;
-    forces.stations = {{0, {{3, 2.0}}}, {last * dt, {{3, 2.0}}}};  // on point 1
+    forces.stations = {{0, {{dof(1, 0), 2.0}}}, {last * dt, {{dof(1, 0), 2.0}}}};  // on point 1
     std::vector<TimedLoad> loads(1);
     loads[0].moving = std::make_shared<MovingForces>(forces);
     const Constraints constraints;

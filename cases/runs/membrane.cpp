@@ -1,0 +1,72 @@
+#include "cases/runs/membrane.hpp"
+
+#include <fmt/format.h>
+
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/reduction.hpp"
+#include "plate/solve/analysis.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "post/files/result_checks.hpp"
+#include "post/report/reactions.hpp"
+
+namespace cases {
+namespace {
+
+/// Forces in the plane: the couples on theta_x = -v and theta_y = u.
+std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulation& membrane,
+                                                          const plate::State& state) {
+  post::ReactionRows rows;
+  rows.add(0, membrane, membrane, state, 1);
+  std::vector<post::MembraneSummary::Reaction> result;
+  const auto found = rows.summary();
+  for (std::size_t i = 0; found && i < found->supports.size(); ++i) {
+    const auto& wrench = found->balance.supports[i];
+    result.push_back({found->supports[i].name, {wrench.moment_y, -wrench.moment_x}});
+  }
+  return result;
+}
+
+}  // namespace
+
+MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
+                                const std::optional<post::SrifOptions>& options,
+                                const std::vector<post::TipMethods>& methods) {
+  const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
+  const auto& [solution, state] = std::tie(found.solution, found.solution.state);
+  post::require_finite(state, "in equilibrium in the plane", membrane);
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("in the plane: {}, residual {:.2e} above tolerance {:.1e}",
+                                            solution.stop_reason, solution.residual, analysis.tolerance));
+  MembraneResult result;
+  const auto points = Eigen::Index(membrane.cloud().plate_points);
+  result.forces = membrane.resultants(state);
+  result.fields.displacement.resize(2, points);
+  result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
+  result.fields.force = result.forces.moments;
+  const double work = post::slow_work(membrane, found);
+  if (!post::moves(state, work, membrane))
+    post::require_motion(membrane, post::forces_of(membrane), state, work, result.warnings);
+  if (options) {
+    result.factors = post::srifs(membrane, *options, methods, state);
+    for (const auto& some :
+         {post::left_out(membrane.tips(), methods),
+          post::warnings_about_factors(result.factors, {}, membrane.section().thickness, membrane.remedy())})
+      for (const auto& line : some) result.warnings.push_back("in the plane, N1 and N2 as K1 and K2: " + line);
+    post::require_finite(result.factors, "in the plane");
+  }
+  auto& summary = result.summary;
+  summary.strain_energy = membrane.strain_energy(state);
+  summary.external_work = work;
+  summary.residual = solution.residual;
+  summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
+  summary.reactions = reactions_of(membrane, state);
+  post::EnergyBalance(post::EnergyBalance::Plate::rests)
+      .check({summary.strain_energy, summary.strain_energy, summary.external_work}, "in equilibrium in the plane");
+  return result;
+}
+
+}  // namespace cases

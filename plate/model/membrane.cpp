@@ -1,0 +1,36 @@
+#include "plate/model/membrane.hpp"
+
+namespace plate {
+namespace {
+
+/// The kind that holds the rotations as a support holds the displacements in the plane.
+SupportKind kind_in_plane(const Support& support) {
+  switch (support.held_in_plane()) {
+    case InPlane::fixed:
+      return SupportKind::clamped;
+    case InPlane::normal:
+      return SupportKind::symmetry;
+    case InPlane::tangential:
+      return SupportKind::simply_supported_hard;
+    case InPlane::free:
+      break;
+  }
+  return SupportKind::free;
+}
+
+}  // namespace
+
+bool loaded_in_plane(const Problem& problem) {
+  return std::ranges::any_of(problem.loads, &Load::in_plane);
+}
+
+Problem membrane_of(Problem problem) {
+  problem.section.law = PlateLaw::membrane;
+  for (auto& support : problem.supports) support.kind = kind_in_plane(support);
+  for (auto& load : problem.loads)
+    if (!load.in_plane()) load.action = BodyForce{};
+  problem.foundations.clear(), problem.springs.clear(), problem.stiffeners.clear();
+  return problem;
+}
+
+}  // namespace plate

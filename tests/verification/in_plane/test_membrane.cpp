@@ -1,0 +1,221 @@
+// Plates in their plane: uniform stress to rounding, intensity factors of strips and of oblique cracks, invariance.
+#include "cases/runs/membrane.hpp"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/membrane.hpp"
+#include "plate/solve/statics.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+using geometry::Point;
+namespace vp = verified_plate;
+
+namespace {
+
+Load traction(const std::vector<std::string>& edges, const std::array<double, 3>& tensor) {
+  EdgeTraction one{edges};
+  one.tensor = tensor;
+  return {one};
+}
+
+/// Points turned about the origin [degrees].
+std::vector<Point> turned(std::vector<Point> points, double degrees) {
+  const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
+  for (auto& x : points) x = turn * x;
+  return points;
+}
+
+/// Components xx, yy, xy of a uniaxial tension that makes this angle with x [degrees].
+std::array<double, 3> tension(double N, double degrees) {
+  const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+  return {N * c * c, N * s * s, N * c * s};
+}
+
+/// A rectangle about the origin, turned, whose middle point is held, with the loads of a tension on all edges.
+cases::Case pulled(double width, double height, double degrees, double spacing, const std::array<double, 3>& N) {
+  auto c = vp::square(spacing);
+  const double x = width / 2, y = height / 2;
+  c.outline.outer = {turned({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, degrees), {"a", "b", "c", "d"}};
+  c.discretization.formulation = &plate::galerkin;
+  c.analysis.kind = cases::Analysis::Kind::static_;
+  c.analysis.tolerance = 1e-10;
+  c.supports = {vp::held(SupportKind::simply_supported, {"a", "c"})};
+  c.loads = {traction({"a", "b", "c", "d"}, N)};
+  c.srif.emplace();
+  c.srif->methods = {post::SrifMethod::virtual_crack_extension, post::SrifMethod::domain_integral,
+                     post::SrifMethod::series_fit};
+  return c;
+}
+
+/// Supports that hold a plate whose loads balance at two points next to a corner: what they strain is there alone.
+void hold_in_plane(cases::Case& c) {
+  const Point corner = c.outline.outer.vertices[0], way = (c.outline.outer.vertices[1] - corner).normalized();
+  Support points = vp::held(SupportKind::in_plane, {});
+  points.points = {corner, corner + c.discretization.spacing * way};
+  c.supports.push_back(points);
+}
+
+std::unique_ptr<Formulation> membrane_of_case(const cases::Case& c) {
+  return plate::discretise(c).membrane;
+}
+
+cases::MembraneResult solved(const cases::Case& c) {
+  const auto membrane = membrane_of_case(c);
+  REQUIRE(membrane);
+  REQUIRE(membrane->held());
+  return cases::membrane_at_rest(*membrane, c.analysis, c.srif, cases::tip_methods({c, {}}, *membrane));
+}
+
+/// The factors of every tip by the recommended method.
+std::vector<post::Srif> factors_of(const cases::Case& c) {
+  const auto all = solved(c).factors;
+  std::vector<post::Srif> result;
+  for (const auto* one : post::recommended(all)) result.push_back(*one);
+  return result;
+}
+
+/// Largest residual of the equilibrium of a linear field (u, v) = H x on free points, over the largest force.
+double residual(const cases::Case& c, const Eigen::Matrix2d& H) {
+  const auto membrane = membrane_of_case(c);
+  const auto& cloud = membrane->cloud();
+  State state = zero_state(cloud.size());
+  for (std::size_t k = 0; k < cloud.size(); ++k) {
+    const Point u = H * cloud.positions[k];
+    state.col(Eigen::Index(k)) << 0, -u.y(), u.x();
+  }
+  Forces force;
+  membrane->internal_force(state, force);
+  const Forces load = membrane->total_load();
+  return (force + load).cwiseAbs().maxCoeff() / load.cwiseAbs().maxCoeff();
+}
+
+/// Tada, Paris and Irwin: 0.1 %.
+double strip_factor(double share) {
+  return std::sqrt(1 / std::cos(std::numbers::pi / 2 * share)) *
+         (1 - 0.025 * std::pow(share, 2) + 0.06 * std::pow(share, 4));
+}
+
+/// Central crack of the length 2 a in a plate of the width 1, points graded at its tips.
+cases::Case cracked(double height, double a, double angle) {
+  auto c = pulled(1, height, 0, 0.02, {0, 1, 0});
+  c.discretization.tip_spacing = a / 60, c.discretization.spacing_growth = 0.1;
+  c.cracks = {turned({{-a, 0}, {a, 0}}, angle)};
+  hold_in_plane(c);
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("in the plane: uniform stress is in equilibrium to rounding on plates in any direction", "[in_plane]") {
+  for (const double nu : {-0.5, 0.0, 0.3, 0.49})
+    for (const double degrees : {0.0, 17.0, 45.0})
+      for (const bool graded : {false, true}) {
+        INFO("nu " << nu << ", turned by " << degrees << ", graded " << graded);
+        auto c = pulled(1.3, 0.9, degrees, 0.07, {0.7, -0.3, 0.45});
+        c.section.poisson = nu;
+        if (graded) {
+          c.outline.holes = {geometry::Circle{{0.1, 0.05}, 0.11, "hole0"}}, c.discretization.hole_spacing = 0.02;
+          c.loads[0].as<EdgeTraction>()->edges.push_back("hole0");
+        }
+        const double E = c.section.young * c.section.thickness;
+        const Eigen::Vector3d N(0.7, -0.3, 0.45);
+        Eigen::Matrix2d H;
+        H << (N[0] - nu * N[1]) / E, (1 + nu) * N[2] / E, (1 + nu) * N[2] / E, (N[1] - nu * N[0]) / E;
+        CHECK(residual(c, H) < 1e-11);
+      }
+}
+
+TEST_CASE("in the plane: factors of strips and squares are within their estimated errors", "[in_plane]") {
+  // squares: M. Isida (1971), three decimals
+  const std::vector<std::array<double, 3>> plates{{3, 0.2, strip_factor(0.2)},
+                                                  {3, 0.4, strip_factor(0.4)},
+                                                  {3, 0.6, strip_factor(0.6)},
+                                                  {1, 0.1, 1.014},
+                                                  {1, 0.2, 1.055},
+                                                  {1, 0.5, 1.334}};
+  for (const auto& [height, share, F] : plates) {
+    CAPTURE(height, share);
+    const double expected = std::sqrt(share / 2) * F;
+    for (const auto& srif : factors_of(cracked(height, share / 2, 0))) {
+      REQUIRE(srif.errors[0]);
+      CHECK(std::abs(srif.K1 - expected) < *srif.errors[0] + 0.0005 * expected);
+      CHECK(srif.K1 == Approx(expected).epsilon(0.003));  // measured: -0.21 to -0.07 %
+      CHECK(*srif.errors[0] < 0.006 * expected);
+      CHECK(std::abs(srif.K2) < 1e-3 * expected);
+      CHECK(srif.K3 == 0);
+    }
+  }
+}
+
+TEST_CASE("in the plane: oblique cracks in a wide plate follow the angle", "[in_plane]") {
+  constexpr double a = 0.05;
+  const double straight = factors_of(cracked(1, a, 0)).front().K1;
+  for (const double angle : {15.0, 30.0, 45.0, 60.0}) {
+    CAPTURE(angle);
+    const double C = std::cos(angle * std::numbers::pi / 180), S = std::sin(angle * std::numbers::pi / 180);
+    for (const auto& srif : factors_of(cracked(1, a, angle))) {
+      CHECK(srif.K1 == Approx(straight * C * C).margin(0.006 * straight));
+      CHECK(std::abs(srif.K2) == Approx(straight * C * S).margin(0.006 * straight));
+    }
+  }
+}
+
+TEST_CASE("in the plane: a plate that is turned with its load has the same factors", "[in_plane]") {
+  const auto of = [](double degrees) {
+    auto c = pulled(1, 2, degrees, 0.025, tension(1, degrees + 90));
+    c.discretization.tip_spacing = 0.003, c.discretization.spacing_growth = 0.1;
+    c.cracks = {turned({{-0.2, -0.05}, {0.15, 0.1}}, degrees)};
+    hold_in_plane(c);
+    return factors_of(c);
+  };
+  const auto straight = of(0);
+  for (const double degrees : {20.0, 45.0, 90.0}) {
+    INFO("turned by " << degrees);
+    const auto found = of(degrees);
+    REQUIRE(found.size() == straight.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double scale = std::hypot(straight[i].K1, straight[i].K2);
+      CHECK(std::abs(found[i].K1 - straight[i].K1) < 0.004 * scale);
+      CHECK(std::abs(found[i].K2 - straight[i].K2) < 0.004 * scale);
+    }
+  }
+}
+
+TEST_CASE("in the plane: two strips in series, one twice as thick, stretch by what each takes", "[in_plane]") {
+  auto c = pulled(1, 2, 0, 0.05, {0, 0, 0});
+  c.section.poisson = 0;
+  c.section.regions = {
+      {geometry::Polygon{{{-0.5, 0}, {0.5, 0}, {0.5, 1}, {-0.5, 1}}, {}}, 2 * c.section.thickness, {}, {}, {}}};
+  c.supports.push_back(vp::held(SupportKind::in_plane, {"a"}));
+  c.loads = {{EdgeTraction{{"c"}, 3}}};
+  const double E = c.section.young * c.section.thickness;
+  const auto result = solved(c);
+  CHECK(result.summary.largest_displacement == Approx(3 / E + 3 / (2 * E)).epsilon(1e-3));
+}
+
+TEST_CASE("in the plane: reactions carry the loads, and bending knows nothing of them", "[in_plane]") {
+  auto c = pulled(1, 2, 0, 0.05, {0, 0, 0});
+  c.cracks = {{{-0.2, 0}, {0.2, 0}}};
+  c.supports.push_back(vp::held(SupportKind::in_plane, {"a"}));
+  c.loads = {{BodyForce{{2, -3}}}, {PointForce{.position = {0.1, 0.5}, .vector = {0.5, 0.25}}}};
+  const auto result = solved(c);
+  Point sum(0, 0);
+  for (const auto& one : result.summary.reactions) sum += one.force;
+  CHECK(sum.x() == Approx(-4.5).epsilon(1e-8));
+  CHECK(sum.y() == Approx(5.75).epsilon(1e-8));
+  CHECK(result.summary.strain_energy == Approx(result.summary.external_work).epsilon(1e-6));
+
+  c.loads = {{Pressure{1}}};
+  const auto bent = static_solution(*plate::discretise(c).plate, c.analysis, {1e-10, 1000, {}}).solution.state;
+  CHECK(!membrane_of_case(c));
+  c.loads.push_back({BodyForce{{2, -3}}});
+  CHECK(static_solution(*plate::discretise(c).plate, c.analysis, {1e-10, 1000, {}}).solution.state == bent);
+}
