@@ -108,7 +108,8 @@ GalerkinView::GalerkinView(const geometry::Tessellation& cells, const GalerkinFa
   spacing = problem.discretization.spacing_at_tips(), horizon = problem.discretization.horizon();
   graded = cells.graded, points_on_faces = true;
   doubtful = doubtful_of_faces * spacing;
-  trust = {0.2, 0, 0.6, 1.6, 0.032, 0.04, spacing, 0.05, 0.1, true, 0.0037};
+  const double near = section.law == PlateLaw::membrane ? 0.1 : 0.032;  // in the plane nothing else stands for the tip
+  trust = {0.2, 0, 0.6, 1.6, near, 0.04, spacing, 0.05, 0.1, true, 0.0037};
 }
 
 Gradients GalerkinView::gradients(std::uint32_t k, const State& state) const {
