@@ -148,9 +148,9 @@ void Results::warn_in_plane() {
   for (const auto* one : post::recommended(outputs_.summary().srif)) {
     const auto where = post::overlap(*one);
     if (where != post::Overlap::above && where != post::Overlap::both) continue;
-    outputs_.warn(
-        {fmt::format("tip {} ({:.4g}, {:.4g}): faces overlap at {}, as contact is not modelled", one->tip,
-                     one->position.x(), one->position.y(), where == post::Overlap::both ? "both faces" : "z > 0")});
+    outputs_.warn({fmt::format("tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}, as contact is not modelled",
+                               one->tip, one->position.x(), one->position.y(),
+                               where == post::Overlap::both ? "all over the thickness" : "at z > 0")});
   }
 }
 

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
 
+#include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
@@ -56,9 +59,40 @@ std::string in_words(const MovingGrowthOutcome& outcome) {
   return result;
 }
 
+namespace {
+
+/// The first crack that runs through points of a plate. Collective.
+std::optional<std::size_t> crack_through_points(const plate::Formulation& plate) {
+  constexpr double nothing = 1e-6;  // spacings
+  const auto& cracks = plate.problem().cracks;
+  const auto& cloud = plate.cloud();
+  for (std::size_t i = 0; i < cracks.size(); ++i) {
+    const auto end = cloud.positions.begin() + std::ptrdiff_t(cloud.plate_points);
+    const bool found = std::any_of(cloud.positions.begin(), end, [&](const auto& x) {
+      return geometry::distance(cracks[i], x) < nothing * cloud.units.spacing;
+    });
+    if (plate::largest_of(plate, found ? 1 : 0) > 0) return i;
+  }
+  return std::nullopt;
+}
+
+/// Spacing of one point more across the plate: a line between its points no longer meets them.
+double spacing_beside(const plate::Problem& problem) {
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const double side = (high - low).minCoeff();
+  return side / (std::round(side / problem.discretization.spacing) + 1);
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_about_bonds(const Growth& growth, const plate::Formulation& plate) {
-  if (!growth.by_bonds()) return {};
   std::vector<std::string> warnings;
+  if (const auto crack = plate.breaking() ? crack_through_points(plate) : std::nullopt)
+    warnings.push_back(
+        fmt::format("crack {} runs through points, which all count to one side: mirrored cracks grow "
+                    "unlike; set `spacing` = {:.4g}",
+                    *crack, spacing_beside(plate.problem())));
+  if (!growth.by_bonds()) return warnings;
   const double h = plate.section().thickness / plate.discretization().spacing, m = plate.discretization().horizon_ratio;
   const bool curvature = growth.criterion == Growth::Criterion::curvature_shear;
   const bool measured =

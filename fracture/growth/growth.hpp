@@ -120,8 +120,8 @@ std::string in_words(const Ended& ended, bool by_bonds);
 /// Describes the outcome of a growth in motion.
 std::string in_words(const MovingGrowthOutcome& outcome);
 
-/// Warnings of a growth by bonds at this discretisation: where the apparent toughness was not measured for it, and what
-/// bonds cannot do. Empty for growth by tips.
+/// Warnings of a growth in bonds at this discretisation: cracks through points; of growth by single bonds where the
+/// apparent toughness was not measured for it, and what bonds cannot do. Collective.
 std::vector<std::string> warnings_about_bonds(const Growth& growth, const plate::Formulation& plate);
 
 /// Tips that have too little about them for the energy release rate, which growth by tips needs, and why.

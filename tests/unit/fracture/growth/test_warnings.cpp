@@ -41,6 +41,21 @@ TEST_CASE("distrust of bonds: where the apparent toughness was not measured, and
   CHECK(said(growth(energy_release), 0.3).empty());  // tips, not bonds
 }
 
+TEST_CASE("distrust of bonds: a crack through points is on one side of them") {
+  using enum Growth::Criterion;
+  for (const auto criterion : {bond_energy, energy_release})
+    for (const double y : {0.1, 0.13, 0.2}) {
+      CAPTURE(y);
+      auto c = vp::square(0.2);  // points at 0.1, 0.3, ...
+      c.section.thickness = 0.2;
+      c.supports = {vp::held(plate::SupportKind::clamped, {"left"})};
+      c.cracks = {{{-0.45, y}, {0.45, y}}};
+      const auto warnings = warnings_about_bonds(growth(criterion), *vp::assembled(c));
+      REQUIRE(warnings.size() == (y == 0.1 ? 1 : 0));
+      if (y == 0.1) CHECK_THAT(warnings[0], Catch::Contains("through points") && Catch::EndsWith("= 0.1818"));
+    }
+}
+
 TEST_CASE("distrust of bonds: no crack crosses a line of symmetry") {
   const auto warnings = said(growth(Growth::Criterion::bond_energy), 1, 0.3, plate::SupportKind::symmetry);
   REQUIRE(warnings.size() == 1);
