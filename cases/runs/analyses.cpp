@@ -118,7 +118,7 @@ void SinglePlate::solve_static() {
   if (result.strained.cols() > 0) end.rest = &result.strained;
   if (ready_.membrane)
     results_.in_plane(*ready_.membrane,
-                      membrane_at_rest(*ready_.membrane, analysis_, content().srif, ready_.membrane_methods));
+                      membrane_at_rest(*ready_.membrane, analysis_, {content().srif, ready_.membrane_methods}));
   if (moved_as_one_body(result, plate_))
     summary.warnings.emplace_back("the supports move the plate as one rigid body: nothing in it is strained");
   results_.sample(end, true);

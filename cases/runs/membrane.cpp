@@ -17,10 +17,10 @@ namespace cases {
 namespace {
 
 /// Forces in the plane: the couples on theta_x = -v and theta_y = u.
-std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulation& membrane,
-                                                          const plate::State& state) {
+std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulation& membrane, const plate::State& state,
+                                                          const plate::Forces& load) {
   post::ReactionRows rows;
-  rows.add(0, membrane, membrane, state, 1);
+  rows.add(0, membrane, membrane, state, load);
   std::vector<post::MembraneSummary::Reaction> result;
   const auto found = rows.summary();
   for (std::size_t i = 0; found && i < found->supports.size(); ++i) {
@@ -32,24 +32,16 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 
 }  // namespace
 
-MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
-                                const std::optional<post::SrifOptions>& options,
-                                const std::vector<post::TipMethods>& methods) {
-  const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
-  const auto& [solution, state] = std::tie(found.solution, found.solution.state);
+MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
+                                const plate::Forces& load, const MembraneFactorsWanted& wanted) {
+  const auto& [options, methods] = wanted;
   post::require_finite(state, "in equilibrium in the plane", membrane);
-  if (!solution.converged)
-    throw plate::NumericalError(fmt::format("in the plane: {}, residual {:.2e} above tolerance {:.1e}",
-                                            solution.stop_reason, solution.residual, analysis.tolerance));
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
   result.forces = membrane.resultants(state);
   result.fields.displacement.resize(2, points);
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
-  const double work = post::slow_work(membrane, found);
-  if (!post::moves(state, work, membrane))
-    post::require_motion(membrane, post::forces_of(membrane), state, work, result.warnings);
   if (options) {
     result.factors = post::srifs(membrane, *options, methods, state);
     for (const auto& some :
@@ -60,10 +52,26 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   }
   auto& summary = result.summary;
   summary.strain_energy = membrane.strain_energy(state);
-  summary.external_work = work;
-  summary.residual = solution.residual;
+  summary.external_work = post::slow_work(membrane, load, state);
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
-  summary.reactions = reactions_of(membrane, state);
+  summary.reactions = reactions_of(membrane, state, load);
+  return result;
+}
+
+MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
+                                const MembraneFactorsWanted& wanted) {
+  const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
+  const auto& solution = found.solution;
+  post::require_finite(solution.state, "in equilibrium in the plane", membrane);
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("in the plane: {}, residual {:.2e} above tolerance {:.1e}",
+                                            solution.stop_reason, solution.residual, analysis.tolerance));
+  auto result = membrane_results(membrane, solution.state, membrane.total_load(), wanted);
+  auto& summary = result.summary;
+  summary.residual = solution.residual;
+  summary.external_work = post::slow_work(membrane, found);
+  if (!post::moves(solution.state, summary.external_work, membrane))
+    post::require_motion(membrane, post::forces_of(membrane), solution.state, summary.external_work, result.warnings);
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({summary.strain_energy, summary.strain_energy, summary.external_work}, "in equilibrium in the plane");
   return result;

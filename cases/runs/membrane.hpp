@@ -21,10 +21,20 @@ struct MembraneResult {
   std::vector<std::string> warnings;
 };
 
-/// Solves a plate in its plane. Without `options` it has no factors.
+/// Factors that are wanted of a plate in its plane. Without `options` none are.
+struct MembraneFactorsWanted {
+  const std::optional<post::SrifOptions>& options;
+  const std::vector<post::TipMethods>& methods;
+};
+
+/// Solves a plate in its plane under all its loads.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
-                                const std::optional<post::SrifOptions>& options,
-                                const std::vector<post::TipMethods>& methods);
+                                const MembraneFactorsWanted& wanted);
+
+/// Results of a plate in its plane in a state of equilibrium under a load.
+/// @throws plate::NumericalError  a number is not finite
+MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
+                                const plate::Forces& load, const MembraneFactorsWanted& wanted);
 
 }  // namespace cases
