@@ -71,7 +71,8 @@ cases::MembraneResult solved(const cases::Case& c) {
   const auto membrane = membrane_of_case(c);
   REQUIRE(membrane);
   REQUIRE(membrane->held());
-  return cases::membrane_at_rest(*membrane, c.analysis, c.srif, cases::tip_methods({c, {}}, *membrane));
+  const auto methods = cases::tip_methods({c, {}}, *membrane);
+  return cases::membrane_at_rest(*membrane, c.analysis, {c.srif, methods});
 }
 
 /// The factors of every tip by the recommended method.
