@@ -11,6 +11,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/mechanisms.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
 #include "plate/solve/validation.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -46,7 +47,7 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   const auto& plate = *result.plate;
   const auto suits = plate::validate(plate, c.analysis);
   auto problems = problems_of(file, suits.refusals);
-  if (result.membrane)
+  if (result.membrane && plate::loaded_in_plane(c))
     for (auto& problem : problems_of(file, plate::loose(*result.membrane))) problems.push_back(std::move(problem));
   check_places(file, plate, problems);
   if (!problems.empty()) throw CaseError(problems);

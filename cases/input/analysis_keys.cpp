@@ -189,8 +189,10 @@ Fields<Analysis> analysis_fields() {
     return field;
   };
   return {
-      choice<A, A::Kind>("kind", &A::kind, analysis_kinds(),
-                         "what is sought: equilibrium, motion, eigenfrequencies, or harmonic (steady-state) response")
+      choice<A, A::Kind>(
+          "kind", &A::kind, analysis_kinds(),
+          "what is sought: equilibrium, motion, eigenfrequencies, harmonic (steady-state) response, or the "
+          "loads in the plane at which it buckles")
           .required(),
       choice<A, A::Method>("method", &A::method, methods,
                            "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: "
@@ -198,7 +200,7 @@ Fields<Analysis> analysis_fields() {
                            "that move exactly")
           .standard(
               "static: \"cg\"; dynamic: \"central_difference\", \"lanczos\" with graded points or stiffness damping; "
-              "frequencies: \"lanczos\""),
+              "frequencies, buckling: \"lanczos\""),
       choice<A, plate::Preconditioning>(
           "preconditioner", &A::preconditioner, preconditioners,
           "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "
@@ -206,16 +208,20 @@ Fields<Analysis> analysis_fields() {
           .in({A::Kind::static_}),
       unless(number<A>(
                  "tolerance", "-", &A::tolerance, {1e-14, 0.1},
-                 "static: residual / load at which a solution is accepted; frequencies: of the eigenpairs; "
+                 "static: residual / load at which a solution is accepted; frequencies, buckling: of the eigenpairs; "
                  "dynamic, with lanczos: of "
                  "the motion, rms over the mass, relative to the largest; harmonic: likewise, of the response at every "
                  "frequency, and of factors")
-                 .standard("static: 1e-06; frequencies: 0.0001; dynamic, harmonic: 0.0003"),
+                 .standard("static, buckling: 1e-06; frequencies: 0.0001; dynamic, harmonic: 0.0003"),
              A::Method::central_difference),
       number<A>("max_iterations", "-", &A::max_iterations, {1, 1e9}, "limit of iterations of each solution")
           .in(iterative),
-      number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies, from the lowest")
-          .in({A::Kind::frequencies}),
+      number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies or of buckling loads, from the lowest")
+          .in({A::Kind::frequencies, A::Kind::buckling}),
+      boolean<A>("nonlinear", &A::nonlinear,
+                 "large deflections: the middle plane stretches with them (von Karman), by steps of the load; "
+                 "formulation = \"galerkin\"")
+          .in({A::Kind::static_}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
       choice<A, A::Start>("start", &A::start, starts,
                           "the plate at time 0: without deformation, or in equilibrium with the loads of that time")
@@ -242,7 +248,7 @@ void check_analysis(const Value& given, Analysis& analysis) {
   if (!kind) return;
   std::vector<Analysis::Method> possible{cg, adr, direct};
   if (*kind == Analysis::Kind::dynamic) possible = {central_difference, lanczos};
-  if (*kind == Analysis::Kind::frequencies || *kind == Analysis::Kind::harmonic) possible = {lanczos};
+  if (*kind != Analysis::Kind::dynamic && *kind != Analysis::Kind::static_) possible = {lanczos};
   const std::string key = given.below("method");
   if (!given.reading().given(key)) analysis.method = possible.front();
   if (!given.reading().given(given.below("tolerance"))) {

@@ -60,6 +60,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
     reading.report_error(
         "section.density",
         fmt::format("is missing, must be a number > 0: {} is the plate's own weight", key_of_load(content, *without)));
+  content.stretches = content.analysis.nonlinear;
   snap_cracks(content, reading);
   resolve_formulation(states_formulation(root), content, reading);
   resolve_method(content, reading);

@@ -14,7 +14,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 33> words{{
+constexpr std::array<std::pair<Part, std::string_view>, 35> words{{
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -27,6 +27,8 @@ constexpr std::array<std::pair<Part, std::string_view>, 33> words{{
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
     {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`)"},
+    {large_deflections, "`analysis.nonlinear`"},
+    {buckling, "`analysis.kind = \"buckling\"`"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
     {temperature, "a load of kind `\"temperature\"`"},
     {load_cases, "`[[case]]`"},
@@ -85,6 +87,7 @@ constexpr const char* equilibria =
 constexpr const char* settlements = "load[].kind";
 constexpr const char* in_plane_at_rest = "loads in the plane are carried at rest: choose \"static\"";
 constexpr const char* of_bending = "compares factors of bending, not N1 and N2 of loads in the plane: remove it";
+constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
 constexpr const char* layer_kinds = "support[].kind";
 
 const std::vector<Exclusion> excluded_pairs{
@@ -180,6 +183,21 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, factors_to_accuracy, "srif.accuracy", of_bending},
     {load_in_plane, richardson, "srif.richardson", of_bending},
     {load_in_plane, second_formulation, "srif.second_formulation", of_bending},
+    {large_deflections, settlement, settlements,
+     "\"settlement\" given: supports that move are not carried with large deflections yet: remove it, or nonlinear"},
+    {large_deflections, unilateral_foundation, "foundation",
+     "soil that lifts off is not carried with large deflections yet: remove lifts_off, or analysis.nonlinear"},
+    {large_deflections, growth, "growth",
+     "the loads at which cracks grow are found for linear plates: remove it, or analysis.nonlinear"},
+    {large_deflections, load_cases, "case",
+     "states with large deflections do not add up: run each load case by itself, or remove analysis.nonlinear"},
+    {large_deflections, factors_to_accuracy, "srif.accuracy", of_linear},
+    {large_deflections, richardson, "srif.richardson", of_linear},
+    {large_deflections, second_formulation, "srif.second_formulation", of_linear},
+    {large_deflections, processes, "analysis.nonlinear", by_one_process("large deflections cannot be found")},
+    {buckling, unilateral_foundation, "foundation",
+     "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
+    {load_cases, buckling, "case", equilibria},
     {load_in_plane, processes, "load", by_one_process("loads in the plane cannot be run")},
 };
 
@@ -215,6 +233,8 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
   add(plate::loaded_in_plane(content), load_in_plane);
+  add(a.nonlinear, large_deflections);
+  add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);
   add(plate::heated(content), temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);

@@ -24,6 +24,8 @@ enum class Part {
   settlement,
   moving_load,
   load_in_plane,
+  large_deflections,
+  buckling,
   unilateral_foundation,
   temperature,
   load_cases,

@@ -64,6 +64,14 @@ void add_growth(const Case& content, std::vector<Asked>& found) {
     add("unstable = \"move\"", Feature::running_tips);
 }
 
+void add_large_deflections(const Case& content, std::vector<Asked>& found) {
+  const auto add = [&](const char* words, const char* key) {
+    found.push_back({words, key, Feature::in_plane, true, "choose formulation = \"galerkin\""});
+  };
+  if (content.analysis.nonlinear) add("large deflections", "analysis.nonlinear");
+  if (content.analysis.kind == Analysis::Kind::buckling) add("buckling", "analysis.kind");
+}
+
 void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
     if (problem.loads[i].in_plane())
@@ -98,6 +106,7 @@ std::vector<Asked> asked(const Case& content, const Reading& reading) {
   add_layers(content.supports, found);
   add_analysis(content.analysis, found);
   add_growth(content, found);
+  add_large_deflections(content, found);
   add_section(content, found);
   return found;
 }

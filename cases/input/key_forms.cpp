@@ -10,6 +10,7 @@ std::string analyses(const Kinds& kinds) {
     names.push_back(kind == Analysis::Kind::static_       ? "statics"
                     : kind == Analysis::Kind::dynamic     ? "dynamics"
                     : kind == Analysis::Kind::frequencies ? "frequencies"
+                    : kind == Analysis::Kind::buckling    ? "buckling"
                                                           : "harmonic analyses");
   return fmt::format("{}", fmt::join(names, " and "));
 }

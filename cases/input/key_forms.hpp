@@ -21,7 +21,7 @@ using Key = ManualKey;
 
 using Kinds = std::set<Analysis::Kind>;
 inline const Kinds any_kind{Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::frequencies,
-                            Analysis::Kind::harmonic};
+                            Analysis::Kind::harmonic, Analysis::Kind::buckling};
 
 /// "statics and frequencies"
 std::string analyses(const Kinds& kinds);

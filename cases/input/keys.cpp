@@ -60,7 +60,7 @@ const Fields<Case>& case_fields() {
       tables<Case, plate::Foundation>("foundation", Layout::block, &Case::foundations, foundation_fields()),
       tables<Case, plate::Spring>("spring", Layout::block, &Case::springs, spring_fields()),
       tables<Case, plate::Stiffener>("stiffener", Layout::block, &Case::stiffeners, stiffener_fields()),
-      tables<Case, plate::Load>("load", Layout::block, loads_of, load_fields(), check_load).used_in(loaded),
+      tables<Case, plate::Load>("load", Layout::block, loads_of, load_fields(), check_load),
       tables<Case, plate::LoadCase>("case", Layout::block, &Case::load_cases, load_case_fields()),
       tables<Case, plate::Combination>("combination", Layout::block, &Case::combinations, combination_fields()),
       table<Case, plate::Initial>("initial", Layout::block, &Case::initial, initial_fields()).in_dynamics(),
@@ -153,6 +153,7 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   if (srif && reading.sound("section") && reading.sound("geometry")) report_error(errors_in_section(content));
   report_error(errors_in_motion(content, analysis, growth.has_value(), given));
   report_error(errors_in_response(content, analysis));
+  report_error(errors_in_prestress(content, analysis));
   report_error(errors_in_beginning(content, analysis));
   report_error(excluded(content, reading.distributed));
 }

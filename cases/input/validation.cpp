@@ -43,6 +43,19 @@ void check_impact(const plate::Problem& problem, const Refuse& refuse) {
 
 }  // namespace
 
+std::vector<KeyError> errors_in_prestress(const plate::Problem& problem, const Analysis& analysis) {
+  std::vector<KeyError> result;
+  const bool buckles = analysis.kind == Analysis::Kind::buckling;
+  if (!buckles && analysis.kind != Analysis::Kind::frequencies) return result;
+  for (std::size_t i = 0; i < problem.loads.size(); ++i)
+    if (!problem.loads[i].in_plane())
+      result.push_back({key_of_load(problem, i) + ".kind",
+                        fmt::format("bends the plate: {} those of a flat plate under loads in its plane, "
+                                    "as \"edge_traction\"; remove it",
+                                    buckles ? "buckling loads are" : "frequencies are")});
+  return result;
+}
+
 std::vector<KeyError> errors_in_response(const plate::Problem& problem, const Analysis& analysis) {
   std::vector<KeyError> result;
   if (analysis.kind != Analysis::Kind::harmonic) return result;

@@ -26,6 +26,9 @@ namespace cases {
 std::vector<KeyError> errors_in_motion(const plate::Problem& problem, const plate::Analysis& analysis, bool grows,
                                        const std::function<bool(const std::string&)>& given);
 
+/// Loads that bend a plate whose frequencies or buckling loads are sought.
+std::vector<KeyError> errors_in_prestress(const plate::Problem& problem, const plate::Analysis& analysis);
+
 /// A harmonic analysis by a formulation without Lanczos vectors.
 std::vector<KeyError> errors_in_response(const plate::Problem& problem, const plate::Analysis& analysis);
 

@@ -16,6 +16,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
+#include "plate/solve/buckling.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -264,6 +265,23 @@ void SinglePlate::solve_dynamic() {
   summary.analysis.stop_reason = "end of the duration";
 }
 
+/// Frequencies of a plate that its membrane forces stiffen or soften.
+plate::FrequencySolution frequencies_under_load(const plate::Formulation& membrane, const plate::Formulation& plate,
+                                                const plate::Forces& mass, const plate::FrequencyOptions& options) {
+  const auto geometric = plate::prestress(membrane);
+  const plate::StressedPlate stressed(plate, geometric);
+  const char* const buckled =
+      "the plate buckles below these loads and has no frequencies: find them by kind = \"buckling\"";
+  try {
+    auto result = plate::frequencies(stressed, plate.constraints(), mass, options);
+    if (plate.held() && std::ranges::any_of(result.modes, [](const auto& mode) { return mode.frequency == 0; }))
+      throw plate::NumericalError(buckled);
+    return result;
+  } catch (const plate::NotPositive&) {
+    throw plate::NumericalError(buckled);
+  }
+}
+
 void SinglePlate::solve_frequencies() {
   auto& summary = this->summary();
   const auto [low, high] = geometry::bounding_box(content().outline);
@@ -278,8 +296,9 @@ void SinglePlate::solve_frequencies() {
       }};
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = analysis_.tolerance;
-  const auto solution =
-      plate::frequencies(plate_, plate_.constraints(), plate_.mass(analysis_.rotary_inertia), options);
+  const auto mass = plate_.mass(analysis_.rotary_inertia);
+  const auto solution = ready_.membrane ? frequencies_under_load(*ready_.membrane, plate_, mass, options)
+                                        : plate::frequencies(plate_, plate_.constraints(), mass, options);
   progress.done();
   stopwatch().lap("solve");
 
@@ -315,7 +334,8 @@ void SinglePlate::solve() {
     case Analysis::Kind::frequencies:
       return solve_frequencies();
     case Analysis::Kind::harmonic:
-      throw std::logic_error("harmonic_response() is another analysis");
+    case Analysis::Kind::buckling:
+      throw std::logic_error("harmonic_response() and buckling() are other analyses");
   }
 }
 
@@ -323,6 +343,8 @@ std::unique_ptr<PlateAnalysis> analysis_of(const ValidatedPlate& ready, Outputs&
   const Case& c = outputs.content();
   if (!c.load_cases.empty()) return load_cases(ready, outputs);
   if (c.analysis.kind == Analysis::Kind::harmonic) return harmonic_response(ready, outputs);
+  if (c.analysis.kind == Analysis::Kind::buckling) return buckling(ready, outputs);
+  if (c.analysis.nonlinear) return large_deflections(ready, outputs);
   return std::make_unique<SinglePlate>(ready, outputs, checkpoints);
 }
 

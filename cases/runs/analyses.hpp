@@ -47,4 +47,10 @@ std::unique_ptr<PlateAnalysis> load_cases(const ValidatedPlate& ready, Outputs& 
 /// sweep: factors, probes and reactions at each, and a period in eight frames where the deflection is largest.
 std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Outputs& outputs);
 
+/// Equilibrium with large deflections (von Karman).
+std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs);
+
+/// Loads in the plane at which a flat plate buckles, and its shapes then.
+std::unique_ptr<PlateAnalysis> buckling(const ValidatedPlate& ready, Outputs& outputs);
+
 }  // namespace cases

@@ -81,7 +81,8 @@ void Results::frame(const plate::Instant& now) {
   next_frame_ = content().output.every ? next_frame_ + *content().output.every : INFINITY;
   if (!outputs_.takes_frames() && !in_plane_) return;
   const auto& recorder = outputs_.recorder();
-  const bool of_mode = content().analysis.kind == plate::Analysis::Kind::frequencies;
+  const auto kind = content().analysis.kind;
+  const bool of_mode = kind == plate::Analysis::Kind::frequencies || kind == plate::Analysis::Kind::buckling;
   const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
   auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), !growth_, &heat);
   if (now.rest) frame.state = now.state.leftCols(frame.state.cols());

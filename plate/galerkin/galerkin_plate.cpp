@@ -18,6 +18,7 @@
 #include "plate/galerkin/multigrid.hpp"
 #include "plate/galerkin/results.hpp"
 #include "plate/galerkin/stiffness.hpp"
+#include "plate/galerkin/stretching.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/membrane.hpp"
@@ -95,6 +96,10 @@ public:
   Inertia inertia(double rotary) const override { return {sections(), cells_, constraints(), rotary}; }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
+  PointMatrix stiffness() const override { return stiffness_matrix(op_); }
+  std::unique_ptr<Stretching> stretching() const override {
+    return std::make_unique<GalerkinStretching>(op_.families(), sections());
+  }
   std::unique_ptr<Preconditioner> factor() const override {
     if (distributed()) return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
@@ -195,7 +200,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   auto paths = crack_paths(problem);
   auto cells = required_cells(problem, paths, all.distributed());
   stopwatch.lap("geometry");
-  if (loaded_in_plane(problem))
+  if (problem.stretches || loaded_in_plane(problem))
     result.membrane =
         std::make_unique<GalerkinPlate>(discretised_part(membrane_of(problem), paths, cells, all, stopwatch));
   result.plate =

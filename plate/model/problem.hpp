@@ -55,6 +55,7 @@ struct Problem {
   std::vector<Combination> combinations = {};
   std::optional<Initial> initial = {};  // of a motion
   std::optional<Impact> impact = {};    // likewise
+  bool stretches = false;               // its middle plane, with the deflections (von Karman)
 
   /// True where there is a unilateral foundation.
   bool unilateral() const {

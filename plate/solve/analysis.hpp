@@ -7,7 +7,7 @@
 
 namespace plate {
 
-enum class AnalysisKind { static_, dynamic, frequencies, harmonic };
+enum class AnalysisKind { static_, dynamic, frequencies, harmonic, buckling };
 
 /// Kind of analysis of a plate, with its methods and parameters.
 struct Analysis {
@@ -20,7 +20,8 @@ struct Analysis {
   Preconditioning preconditioner = Preconditioning::automatic;  // of cg
   double tolerance = 1e-6;                   // static: residual / load; frequencies: of the eigenpairs, 1e-4 by default
   std::size_t max_iterations = 200000;       // static; frequencies: of each solution
-  std::size_t modes = 6;                     // frequencies
+  bool nonlinear = false;                    // static: large deflections
+  std::size_t modes = 6;                     // frequencies, buckling
   double duration = 0;                       // dynamic [time]
   std::optional<double> time_step;           // dynamic; absent: from the computed bound
   Start start = Start::undeformed;           // dynamic; equilibrium: under the loads of time 0
@@ -38,7 +39,8 @@ struct Analysis {
   }
   /// True where an equilibrium is wanted, for itself or to start from.
   bool finds_equilibrium() const {
-    return kind == Kind::static_ || kind == Kind::harmonic || (kind == Kind::dynamic && start == Start::equilibrium);
+    return kind == Kind::static_ || kind == Kind::harmonic || kind == Kind::buckling ||
+           (kind == Kind::dynamic && start == Start::equilibrium);
   }
 };
 
@@ -51,6 +53,8 @@ inline const char* name_of(AnalysisKind kind) {
       return "dynamic";
     case AnalysisKind::frequencies:
       return "frequencies";
+    case AnalysisKind::buckling:
+      return "buckling";
     case AnalysisKind::harmonic:
       break;
   }
@@ -60,7 +64,7 @@ inline const char* name_of(AnalysisKind kind) {
 /// Kind of analysis of a name; none of any other text.
 inline std::optional<AnalysisKind> analysis_kind(std::string_view name) {
   using enum AnalysisKind;
-  for (const auto kind : {static_, dynamic, frequencies, harmonic})
+  for (const auto kind : {static_, dynamic, frequencies, harmonic, buckling})
     if (name == name_of(kind)) return kind;
   return std::nullopt;
 }

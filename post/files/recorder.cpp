@@ -132,7 +132,7 @@ Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   Sink::Tables tables;
   using Kind = plate::Analysis::Kind;
   const auto kind = summary.analysis.kind;
-  if (frequencies_.rows.empty() && kind != Kind::frequencies && kind != Kind::harmonic)
+  if (frequencies_.rows.empty() && kind != Kind::frequencies && kind != Kind::harmonic && kind != Kind::buckling)
     tables.emplace_back("history", &history_);
   if (!frequencies_.rows.empty() || kind == Kind::frequencies) tables.emplace_back("frequencies", &frequencies_);
   if (!probes_.rows.empty()) tables.emplace_back("probes", &probes_);

@@ -157,6 +157,22 @@ Json json_of(const GrowthSummary& growth) {
   return json;
 }
 
+Json json_of(const BucklingFactor& one) {
+  Json json{{"mode", one.mode}, {"factor", one.factor}, {"residual", one.residual}};
+  add(json, "estimated_error", one.error);
+  return json;
+}
+
+Json json_of(const plate::LoadStep& step) {
+  return {{"factor", step.factor},
+          {"iterations", step.iterations},
+          {"residual", step.residual},
+          {"largest_deflection", step.largest_deflection},
+          {"strain_energy", step.strain_energy},
+          {"stable", step.stable},
+          {"snapped", step.snapped}};
+}
+
 Json json_of(const MembraneSummary& membrane) {
   Json json{{"strain_energy", membrane.strain_energy},
             {"external_work", membrane.external_work},
@@ -303,6 +319,11 @@ std::string to_json(const Summary& summary) {
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.analysis.kind == plate::Analysis::Kind::frequencies) json["frequencies"] = list_of(summary.frequencies);
+  if (summary.analysis.kind == plate::Analysis::Kind::buckling) {
+    json["buckling"] = Json::array();
+    for (const auto& one : summary.buckling) json["buckling"].push_back(json_of(one));
+  }
+  for (const auto& one : summary.load_steps) json["load_steps"].push_back(json_of(one));
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));
   if (!summary.resonances.empty()) json["resonances"] = summary.resonances;
   if (summary.membrane) json["membrane"] = json_of(*summary.membrane);

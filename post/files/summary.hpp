@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
+#include "plate/solve/load_step.hpp"
 #include "post/factors/accuracy.hpp"
 
 namespace plate {
@@ -68,6 +69,13 @@ struct Frequency {
   std::size_t mode = 0;
   double frequency = 0, omega = 0;  // [1/time], 2 pi frequency
   double residual = 0;
+};
+
+/// Load factor at which a plate buckles.
+struct BucklingFactor {
+  std::size_t mode = 0;
+  double factor = 0, residual = 0;
+  std::optional<double> error;  // estimated
 };
 
 /// The largest value of a run, with its sign: K1, K2, K3 or the utilisation of a tip, the deflection w or the von Mises
@@ -191,6 +199,8 @@ struct Summary {
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis
+  std::vector<BucklingFactor> buckling;                // of a buckling analysis
+  std::vector<plate::LoadStep> load_steps;             // of large deflections
   std::vector<ResponsePeak> response;                  // of a harmonic analysis
   std::vector<double> resonances;                      // likewise, within the sweep [1/time]
   std::optional<GrowthSummary> growth;                 // of a case with growth

@@ -271,10 +271,24 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
   for (const auto& f : summary.frequencies)
     fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
+  if (!summary.buckling.empty())
+    fmt::format_to(out, "{:>4} {:>15} {:>9} {:>9}\n", "mode", "load factor", "residual", "error");
+  for (const auto& one : summary.buckling)
+    fmt::format_to(out, "{:>4} {:>15.8g} {:>9.1e} {:>9}\n", one.mode, one.factor, one.residual,
+                   one.error ? fmt::format("{:.2g} %", 100 * *one.error / one.factor) : "");
+  if (!summary.load_steps.empty())
+    fmt::format_to(out, "{:>11} {:>10} {:>13} {:>9}\n", "load factor", "iterations", "largest w", "residual");
+  for (const auto& step : summary.load_steps)
+    fmt::format_to(out, "{:>11.5f} {:>10} {:>13.6g} {:>9.1e}{}\n", step.factor, step.iterations,
+                   step.largest_deflection, step.residual,
+                   step.snapped  ? "  snapped"
+                   : step.stable ? ""
+                                 : "  unstable");
   text += printed_responses(summary.response, si);
   if (!summary.resonances.empty()) fmt::format_to(out, "resonances: {:.6g}\n", fmt::join(summary.resonances, ", "));
   if (summary.growth) growth(out, *summary.growth);
-  if (const auto share = summary.deflection_over_thickness; share && !si && *share > small_deflection)
+  if (const auto share = summary.deflection_over_thickness;
+      share && !si && summary.load_steps.empty() && *share > small_deflection)
     fmt::format_to(
         out, "largest deflection is {:.2g} x thickness; linear plate theory is reliable up to about {:g} x thickness\n",
         *share, small_deflection);

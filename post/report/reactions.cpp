@@ -228,7 +228,11 @@ ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool 
 
 void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces) {
   if (supports_.empty()) return;
-  if (!now.acceleration) return add(now.time, *plate_, forces, now.what_strains(), 1);
+  if (!now.acceleration) {
+    plate::Forces load = plate::acting_load(*plate_);
+    if (now.stretched) load += *now.stretched;
+    return add(now.time, *plate_, forces, now.what_strains(), load);
+  }
   if (!moving_) moving_ = std::make_shared<const Moving>(*plate_, rotary_, mass_of_cells_);
   const auto& [supports, each, inertial_force] = *moving_;
   auto loads = supports.nothing();

@@ -1,0 +1,28 @@
+#pragma once
+#include "plate/model/state.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
+
+namespace plate {
+
+/// The middle plane of a plate that stretches with its deflection (von Karman): membrane strains
+/// sym grad u + grad w (x) grad w / 2. States of the plate (w, theta_x, theta_y) and of its plane (PlateLaw::membrane)
+/// have the same points.
+class Stretching {
+public:
+  virtual ~Stretching() = default;
+
+  /// Strain energy of every point [energy].
+  virtual Eigen::VectorXd energies(const State& bending, const State& membrane) const = 0;
+  /// Forces on the deflections and on the displacements in the plane: minus the derivatives of that energy.
+  virtual void internal_force(const State& bending, const State& membrane, Forces& on_bending,
+                              Forces& on_membrane) const = 0;
+  /// Second derivatives of that energy: points of the plate first, then the same points in their plane, with room for
+  /// the stiffness of bending between the first.
+  virtual PointMatrix stiffness(const State& bending, const State& membrane) const = 0;
+  /// Stiffness of the deflections under the membrane forces of a plate that is still flat.
+  virtual PointMatrix geometric_stiffness(const State& membrane) const = 0;
+  /// Nxx, Nyy, Nxy of every point [force/length].
+  virtual Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const = 0;
+};
+
+}  // namespace plate

@@ -1,0 +1,299 @@
+#include "plate/galerkin/stretching.hpp"
+
+#include <omp.h>
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace plate {
+namespace {
+
+using geometry::Point;
+
+constexpr std::size_t most_members = 33;  // of a family, with its owner
+
+/// u and v, which are theta_y and -theta_x (PlateLaw::membrane).
+Point displacement(const State& membrane, std::size_t k) {
+  return {membrane(2, Eigen::Index(k)), -membrane(1, Eigen::Index(k))};
+}
+
+/// One family: its owner, then its neighbours. Unknowns of a member are w, u, v; strains are the three mean strains,
+/// then two residuals of every bond.
+class Family {
+public:
+  /// Takes the strains and forces of the family of point k.
+  void find(const GalerkinFamilies& families, const PointSections& sections, std::size_t k, const State& bending,
+            const State& membrane);
+
+  std::size_t members() const { return count_; }
+  double energy() const;
+  /// N [force/length] times the area of the point.
+  const Eigen::Vector3d& forces() const { return S_; }
+  /// Derivative of the energy by the unknowns [3 members].
+  Eigen::VectorXd derivative();
+  /// Second derivatives of the energy [3 members x 3 members].
+  const Eigen::MatrixXd& second_derivative();
+  /// Second derivative by two deflections alone, with the slopes at zero.
+  double geometric(std::size_t i, std::size_t j) const;
+
+private:
+  struct OfBond {
+    Point n{0, 0}, residual{0, 0}, force{0, 0};
+    double inverse = 0, slope = 0, mean_slope = 0;  // 1 / length, (w_j - w_k) / length, n . g
+    Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
+  };
+  void differentiate();
+  /// Share of a member in the difference along bond b, over its length.
+  double difference(std::size_t b, std::size_t i) const {
+    return i == 0 ? -bonds_[b].inverse : i == b ? bonds_[b].inverse : 0;
+  }
+
+  std::size_t count_ = 0;
+  std::array<Point, most_members> gradient_;
+  std::array<OfBond, most_members> bonds_;  // of neighbours, from 1
+  Point slope_{0, 0};
+  Eigen::Vector3d strain_{0, 0, 0}, S_{0, 0, 0};
+  Eigen::Matrix3d stiffness_ = Eigen::Matrix3d::Zero();  // area times A
+  Eigen::MatrixXd by_unknowns_, stressed_, second_;      // derivatives of the strains; times their stiffness
+};
+
+void Family::find(const GalerkinFamilies& families, const PointSections& sections, std::size_t k, const State& bending,
+                  const State& membrane) {
+  const auto family = families.families[k];
+  const auto* weights = families.of(k);
+  count_ = family.size() + 1;
+  if (count_ > most_members) throw std::invalid_argument("a point has more than 32 neighbours");
+  const double w = bending(0, Eigen::Index(k));
+  const Point own = displacement(membrane, k);
+  gradient_[0] = Point(0, 0), slope_ = Point(0, 0);
+  Eigen::Matrix2d H = Eigen::Matrix2d::Zero();  // grad u
+  for (std::size_t i = 1; i < count_; ++i) {
+    const auto j = family[i - 1].neighbour;
+    gradient_[i] = weights[i - 1].gradient, gradient_[0] -= gradient_[i];
+    slope_ += gradient_[i] * (bending(0, Eigen::Index(j)) - w);
+    H += (displacement(membrane, j) - own) * gradient_[i].transpose();
+  }
+  const GalerkinStiffness stiffness(sections[k], families.square(k));
+  stiffness_ = families.areas[k] * stiffness.bending;
+  strain_ << H(0, 0) + slope_.x() * slope_.x() / 2, H(1, 1) + slope_.y() * slope_.y() / 2,
+      H(0, 1) + H(1, 0) + slope_.x() * slope_.y();
+  S_ = stiffness_ * strain_;
+  for (std::size_t i = 1; i < count_; ++i) {
+    const auto [j, vector] = family[i - 1];
+    const Point& x = families.families.vectors()[vector];
+    auto& bond = bonds_[i];
+    bond.inverse = 1 / x.norm(), bond.n = x * bond.inverse;
+    bond.slope = (bending(0, Eigen::Index(j)) - w) * bond.inverse, bond.mean_slope = slope_.dot(bond.n);
+    const double more = (bond.slope * bond.slope - bond.mean_slope * bond.mean_slope) / 2;
+    bond.residual = (displacement(membrane, j) - own) * bond.inverse - H * bond.n + more * bond.n;
+    bond.stiffness = weights[i - 1].share * stiffness.bending_residual * along(stiffness.bending, bond.n);
+    bond.force = bond.stiffness * bond.residual;
+  }
+}
+
+double Family::energy() const {
+  double result = strain_.dot(S_) / 2;
+  for (std::size_t b = 1; b < count_; ++b) result += bonds_[b].residual.dot(bonds_[b].force) / 2;
+  return result;
+}
+
+/// Finds the derivatives of the strains by the unknowns.
+void Family::differentiate() {
+  by_unknowns_.setZero(Eigen::Index(2 * count_ + 1), Eigen::Index(3 * count_));
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Point& D = gradient_[i];
+    const auto at = Eigen::Index(3 * i);
+    by_unknowns_.block<3, 3>(0, at) << slope_.x() * D.x(), D.x(), 0, slope_.y() * D.y(), 0, D.y(),
+        slope_.x() * D.y() + slope_.y() * D.x(), D.y(), D.x();
+    for (std::size_t b = 1; b < count_; ++b) {
+      const auto& bond = bonds_[b];
+      const double own = difference(b, i), mean = D.dot(bond.n);
+      auto by = by_unknowns_.block<2, 3>(Eigen::Index(2 * b + 1), at);
+      by.col(0) = (bond.slope * own - bond.mean_slope * mean) * bond.n;
+      by(0, 1) = by(1, 2) = own - mean;
+    }
+  }
+}
+
+Eigen::VectorXd Family::derivative() {
+  differentiate();
+  Eigen::VectorXd stress(by_unknowns_.rows());
+  stress.head<3>() = S_;
+  for (std::size_t b = 1; b < count_; ++b) stress.segment<2>(Eigen::Index(2 * b + 1)) = bonds_[b].force;
+  return by_unknowns_.transpose() * stress;
+}
+
+double Family::geometric(std::size_t i, std::size_t j) const {
+  const Point &D = gradient_[i], &E = gradient_[j];
+  double result = S_[0] * D.x() * E.x() + S_[1] * D.y() * E.y() + S_[2] * (D.x() * E.y() + D.y() * E.x());
+  for (std::size_t b = 1; b < count_; ++b) {
+    const auto& n = bonds_[b].n;
+    result += bonds_[b].force.dot(n) * (difference(b, i) * difference(b, j) - D.dot(n) * E.dot(n));
+  }
+  return result;
+}
+
+const Eigen::MatrixXd& Family::second_derivative() {
+  differentiate();
+  stressed_.resizeLike(by_unknowns_);
+  stressed_.topRows<3>() = stiffness_ * by_unknowns_.topRows<3>();
+  for (std::size_t b = 1; b < count_; ++b)
+    stressed_.middleRows<2>(Eigen::Index(2 * b + 1)) =
+        bonds_[b].stiffness * by_unknowns_.middleRows<2>(Eigen::Index(2 * b + 1));
+  second_.noalias() = by_unknowns_.transpose() * stressed_;
+  for (std::size_t i = 0; i < count_; ++i)
+    for (std::size_t j = 0; j < count_; ++j) second_(Eigen::Index(3 * i), Eigen::Index(3 * j)) += geometric(i, j);
+  return second_;
+}
+
+/// Calls visit(family, k) for every point, from several threads.
+template <typename Visit>
+void for_each_family(const GalerkinFamilies& families, const PointSections& sections, const State& bending,
+                     const State& membrane, const Visit& visit) {
+#pragma omp parallel
+  {
+    Family family;
+#pragma omp for schedule(static)
+    for (std::size_t k = 0; k < families.areas.size(); ++k) {
+      family.find(families, sections, k, bending, membrane);
+      visit(family, k);
+    }
+  }
+}
+
+/// Member of a family, and its place in it.
+struct Member {
+  std::uint32_t point, place;
+};
+
+/// Adds the families to a matrix of which every thread has columns of its own, so that any number of threads gives the
+/// same bits. add(family, members, own): the members ascending; own(point): true of columns of this thread.
+template <typename Add>
+void add_families(const GalerkinFamilies& families, const PointSections& sections, const State& bending,
+                  const State& membrane, const Add& add) {
+  const auto points = families.areas.size();
+#pragma omp parallel
+  {
+    const auto threads = std::size_t(omp_get_num_threads()), thread = std::size_t(omp_get_thread_num());
+    const auto begin = std::uint32_t(points * thread / threads), end = std::uint32_t(points * (thread + 1) / threads);
+    Family family;
+    std::vector<Member> members;
+    for (std::uint32_t k = 0; k < points && begin < end; ++k) {
+      members.assign(1, {k, 0});
+      std::uint32_t place = 0;
+      for (const auto& bond : families.families[k]) members.push_back({bond.neighbour, ++place});
+      std::ranges::sort(members, {}, &Member::point);
+      if (members.back().point < begin || members.front().point >= end) continue;
+      family.find(families, sections, k, bending, membrane);
+      add(family, members, [&](std::uint32_t point) { return point >= begin && point < end; });
+    }
+  }
+}
+
+/// Couples a point to all that share a family with it, counted from `first` on.
+void couple_to_families(Column& column, const GalerkinFamilies& families, std::uint32_t k, std::uint32_t first) {
+  column.couple(first + k);
+  for (const auto& bond : families.families[k]) {
+    column.couple(first + bond.neighbour);
+    for (const auto& next : families.families[bond.neighbour]) column.couple(first + next.neighbour);
+  }
+}
+
+/// Turns a block of u, v into one of theta_x = -v and theta_y = u.
+Eigen::Matrix3d of_rotations(const Eigen::Matrix2d& in_plane) {
+  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+  result(1, 1) = in_plane(1, 1), result(1, 2) = -in_plane(1, 0);
+  result(2, 1) = -in_plane(0, 1), result(2, 2) = in_plane(0, 0);
+  return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd GalerkinStretching::energies(const State& bending, const State& membrane) const {
+  Eigen::VectorXd result(bending.cols());
+  for_each_family(families_, sections_, bending, membrane,
+                  [&](const Family& family, std::size_t k) { result[Eigen::Index(k)] = family.energy(); });
+  return result;
+}
+
+void GalerkinStretching::internal_force(const State& bending, const State& membrane, Forces& on_bending,
+                                        Forces& on_membrane) const {
+  const auto& f = families_.families;
+  std::vector<std::size_t> first{0};
+  for (std::size_t k = 0; k < families_.areas.size(); ++k) first.push_back(first.back() + f[k].size() + 1);
+  std::vector<Eigen::Vector3d> found(first.back());
+  for_each_family(families_, sections_, bending, membrane, [&](Family& family, std::size_t k) {
+    const auto derivative = family.derivative();
+    for (std::size_t i = 0; i < family.members(); ++i) found[first[k] + i] = derivative.segment<3>(Eigen::Index(3 * i));
+  });
+  on_bending.setZero(unknowns_per_point, bending.cols());
+  on_membrane.setZero(unknowns_per_point, membrane.cols());
+#pragma omp parallel for schedule(static)
+  for (std::uint32_t k = 0; k < families_.areas.size(); ++k) {
+    Eigen::Vector3d sum = found[first[k]];
+    for (const auto& bond : f[k]) sum += found[first[bond.neighbour] + f[bond.neighbour].find(k) + 1];
+    on_bending(0, k) = -sum[0];
+    on_membrane(1, k) = sum[2], on_membrane(2, k) = -sum[1];
+  }
+}
+
+PointMatrix GalerkinStretching::stiffness(const State& bending, const State& membrane) const {
+  const auto points = std::uint32_t(families_.areas.size());
+  auto result = zeros(2 * std::size_t(points), [&](Column& column, std::uint32_t k) {
+    if (k < points) couple_to_families(column, families_, k, 0);
+    couple_to_families(column, families_, k % points, points);
+  });
+  const auto to = [&](std::size_t& at, std::uint32_t row) -> Eigen::Matrix3d& {
+    while (result.row[at] != row) ++at;
+    return result.block[at];
+  };
+  const auto add = [&](Family& family, const std::vector<Member>& members, const auto& own) {
+    const auto& all = family.second_derivative();
+    for (const auto& column : members) {
+      if (!own(column.point)) continue;
+      auto of_plate = result.first[column.point], in_plane = result.first[points + column.point];
+      const auto of = [&](const Member& row) -> Eigen::Matrix3d {
+        return all.block(Eigen::Index(3 * row.place), Eigen::Index(3 * column.place), 3, 3);
+      };
+      for (const auto& row : members) {
+        if (row.point < column.point) continue;
+        to(of_plate, row.point)(0, 0) += of(row)(0, 0);
+        to(in_plane, points + row.point) += of_rotations(of(row).bottomRightCorner(2, 2));
+      }
+      for (const auto& row : members) {
+        auto& block = to(of_plate, points + row.point);
+        block(1, 0) -= of(row)(2, 0), block(2, 0) += of(row)(1, 0);
+      }
+    }
+  };
+  add_families(families_, sections_, bending, membrane, add);
+  return result;
+}
+
+PointMatrix GalerkinStretching::geometric_stiffness(const State& membrane) const {
+  auto result = zeros(families_.areas.size(),
+                      [&](Column& column, std::uint32_t k) { couple_to_families(column, families_, k, 0); });
+  const auto add = [&](Family& family, const std::vector<Member>& members, const auto& own) {
+    for (const auto& column : members) {
+      if (!own(column.point)) continue;
+      auto at = result.first[column.point];
+      for (const auto& row : members) {
+        if (row.point < column.point) continue;
+        while (result.row[at] != row.point) ++at;
+        result.block[at](0, 0) += family.geometric(row.place, column.place);
+      }
+    }
+  };
+  add_families(families_, sections_, zero_state(families_.areas.size()), membrane, add);
+  return result;
+}
+
+Eigen::Matrix3Xd GalerkinStretching::membrane_forces(const State& bending, const State& membrane) const {
+  Eigen::Matrix3Xd result(3, bending.cols());
+  for_each_family(families_, sections_, bending, membrane, [&](const Family& family, std::size_t k) {
+    result.col(Eigen::Index(k)) = family.forces() / families_.areas[k];
+  });
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,28 @@
+#pragma once
+#include "plate/formulation/sections.hpp"
+#include "plate/formulation/stretching.hpp"
+#include "plate/galerkin/families.hpp"
+
+namespace plate {
+
+/// The Galerkin plate in its plane under large deflections (theory.md, "Large deflections"): mean strains of every
+/// family with the square of its mean slope, and residuals of its bonds with the square of their own.
+class GalerkinStretching : public Stretching {
+public:
+  /// `sections`: of the plate in its plane. Both must outlive this.
+  GalerkinStretching(const GalerkinFamilies& families, const PointSections& sections)
+      : families_(families), sections_(sections) {}
+
+  Eigen::VectorXd energies(const State& bending, const State& membrane) const override;
+  void internal_force(const State& bending, const State& membrane, Forces& on_bending,
+                      Forces& on_membrane) const override;
+  PointMatrix stiffness(const State& bending, const State& membrane) const override;
+  PointMatrix geometric_stiffness(const State& membrane) const override;
+  Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const override;
+
+private:
+  const GalerkinFamilies& families_;
+  const PointSections& sections_;
+};
+
+}  // namespace plate

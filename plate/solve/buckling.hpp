@@ -1,0 +1,46 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "plate/formulation/operator.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
+
+namespace plate {
+
+class Formulation;
+
+struct BucklingMode {
+  double factor;    // of the loads in the plane
+  double residual;  // |K q + factor K_g q| / |K q|, in the norm of StaticOptions
+  State shape;      // u = P q; the largest |w| is 1 and positive
+};
+
+/// The lowest positive factors of its membrane forces at which a flat plate buckles, K q = -factor K_g q on the free
+/// degrees of freedom, ascending: as many as there are, `modes` at most. `geometric`:
+/// Stretching::geometric_stiffness(). The plate must be held.
+/// @throws NumericalError  where the iteration does not converge
+std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
+                                   double tolerance);
+
+/// Geometric stiffness by the membrane forces of a flat plate at rest under its loads (PlateLaw::membrane).
+/// @throws NumericalError  where it is not in equilibrium
+PointMatrix prestress(const Formulation& membrane);
+
+/// A plate that its membrane forces stiffen or soften: K + K_g.
+class StressedPlate : public Operator {
+public:
+  /// Both must outlive this.
+  StressedPlate(const Operator& plate, const PointMatrix& geometric) : plate_(plate), geometric_(geometric) {}
+
+  std::size_t points() const override { return plate_.points(); }
+  void internal_force(const State& state, Forces& forces) const override;
+  void absolute_product(const State& state, Forces& forces) const override;
+  Forces diagonal() const override;
+
+private:
+  const Operator& plate_;
+  const PointMatrix& geometric_;
+};
+
+}  // namespace plate

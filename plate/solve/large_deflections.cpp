@@ -1,0 +1,353 @@
+#include "plate/solve/large_deflections.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/formulation/pieces.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/solve/factorised_plate.hpp"
+#include "plate/solve/interruption.hpp"
+
+namespace plate {
+namespace {
+
+/// Constraints of the points of one plate, then those of another.
+void add(const Constraints& constraints, std::uint32_t first, Constraints& sum) {
+  const auto moved = [&](const Dof& one) { return dof(first + one.point, one.component); };
+  for (const auto& fixed : constraints.fixed()) sum.fix(moved(fixed));
+  const auto& ties = constraints.ties();  // ascending by follower
+  for (std::size_t i = 0; i < ties.size();) {
+    const auto follower = ties[i].follower;
+    std::vector<Constraints::Leader> leaders;
+    for (; i < ties.size() && ties[i].follower == follower; ++i)
+      leaders.push_back({moved(ties[i].leader), ties[i].factor});
+    sum.tie(moved(follower), std::move(leaders));
+  }
+}
+
+/// Rigid motions of a piece in its plane, about a point, by a degree of freedom: u = theta_y, v = -theta_x.
+class RigidMotions {
+public:
+  RigidMotions(const geometry::Point& about, double length) : about_(about), length_(length) {}
+
+  Eigen::Vector3d row(const Dof& one, const geometry::Point& at) const {
+    const geometry::Point x = (at - about_) / length_;
+    if (one.component == 2) return {1, 0, -x.y()};
+    if (one.component == 1) return {0, -1, -x.x()};
+    return {0, 0, 0};
+  }
+
+private:
+  geometry::Point about_;
+  double length_;
+};
+
+/// Degrees of freedom that hold a piece in its plane as its supports do not.
+std::vector<Dof> pins_of(const std::vector<std::uint32_t>& points, const Formulation& membrane) {
+  constexpr double none = 1e-6;
+  const auto& positions = membrane.cloud().positions;
+  const auto& constraints = membrane.constraints();
+  geometry::Point centre(0, 0);
+  for (const auto k : points) centre += positions[k] / double(points.size());
+  double length = 0;
+  for (const auto k : points) length = std::max(length, (positions[k] - centre).norm());
+  const RigidMotions rigid(centre, length > 0 ? length : 1);
+  std::vector<char> here(positions.size(), 0);
+  for (const auto k : points) here[k] = 1;
+  Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
+  for (const auto& fixed : constraints.fixed())
+    if (here[fixed.point]) {
+      const auto row = rigid.row(fixed, positions[fixed.point]);
+      held += row * row.transpose();
+    }
+  const auto& ties = constraints.ties();
+  for (std::size_t i = 0; i < ties.size();) {
+    const auto follower = ties[i].follower;
+    Eigen::Vector3d row = rigid.row(follower, positions[follower.point]);
+    for (; i < ties.size() && ties[i].follower == follower; ++i)
+      row -= ties[i].factor * rigid.row(ties[i].leader, positions[ties[i].leader.point]);
+    if (here[follower.point]) held += row * row.transpose();
+  }
+  std::vector<Dof> result;
+  for (;;) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> motions(held);
+    if (result.size() == 3 || motions.eigenvalues()[0] > none) return result;
+    const Eigen::Vector3d motion = motions.eigenvectors().col(0);
+    Dof best{};
+    double most = 0;
+    for (const auto k : points)
+      for (const int component : {1, 2}) {
+        const auto one = dof(k, component);
+        const double moved = std::abs(rigid.row(one, positions[k]).dot(motion));
+        if (moved > most * (1 + 1e-9) && !constraints.held(one)) best = one, most = moved;
+      }
+    if (most == 0) return result;
+    const auto row = rigid.row(best, positions[best.point]);
+    held += row * row.transpose(), result.push_back(best);
+  }
+}
+
+/// Pins of all pieces.
+std::vector<Dof> pins_of(const Formulation& membrane) {
+  if (membrane.held()) return {};
+  DisjointSets sets(membrane.points());
+  for (std::uint32_t k = 0; k < membrane.points(); ++k)
+    for (const auto& bond : membrane.families()[k]) sets.join(k, bond.neighbour);
+  std::vector<std::vector<std::uint32_t>> pieces(membrane.points());
+  for (std::uint32_t k = 0; k < membrane.points(); ++k) pieces[sets.root(k)].push_back(k);
+  std::vector<Dof> result;
+  for (const auto& piece : pieces)
+    if (!piece.empty()) std::ranges::copy(pins_of(piece, membrane), std::back_inserter(result));
+  return result;
+}
+
+Forces diagonal_of(const PointMatrix& matrix) {
+  Forces result = zero_forces(matrix.points());
+  for (std::size_t k = 0; k < matrix.points(); ++k)
+    result.col(Eigen::Index(k)) = matrix.block[matrix.first[k]].diagonal();
+  return result;
+}
+
+/// Adds a matrix of the first points of another to it, which has room for its blocks.
+void add(const PointMatrix& matrix, PointMatrix& sum) {
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < matrix.points(); ++k) {
+    auto at = sum.first[k];
+    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
+      while (sum.row[at] != matrix.row[b]) ++at;
+      sum.block[at] += matrix.block[b];
+    }
+  }
+}
+
+State behind(const State& first, const State& second) {
+  State result(first.rows(), first.cols() + second.cols());
+  result << first, second;
+  return result;
+}
+
+/// The solution of a factor for folded forces.
+State solution(const Factor& factor, const Unknowns& unknowns, const Forces& force) {
+  const Eigen::MatrixXd found = factor.solve(gathered(unknowns, force));
+  State result = zero_like(force);
+  for (Eigen::Index u = 0; u < found.rows(); ++u) at_dof(result, unknowns.dof[std::size_t(u)]) = found(u, 0);
+  return result;
+}
+
+}  // namespace
+
+bool LargeDeflections::snapped() const {
+  return std::ranges::any_of(steps, &LoadStep::snapped);
+}
+
+/// A state with its membrane in equilibrium, under a share of the loads.
+struct StretchedPlate::Now {
+  State bending, membrane;
+  Forces on_bending;  // of the stretched middle plane
+  Forces left;        // of all forces on the plate, folded
+  double bending_energy = 0, membrane_energy = 0, potential = 0, residual = 0;
+
+  double energy() const { return bending_energy + membrane_energy + potential; }
+};
+
+StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& membrane)
+    : plate_(plate),
+      membrane_(membrane),
+      stretching_(membrane.stretching()),
+      bending_(plate.stiffness()),
+      load_(plate.total_load()),
+      load_in_plane_(membrane.total_load()) {
+  const auto points = std::uint32_t(plate.points());
+  add(membrane.constraints(), 0, of_plane_);
+  add(plate.constraints(), 0, of_both_), add(membrane.constraints(), points, of_both_);
+  for (const auto& pin : pins_of(membrane)) {
+    of_plane_.fix(pin);
+    of_both_.fix(dof(points + pin.point, pin.component));
+  }
+  of_plane_.resolve(), of_both_.resolve();
+
+  const auto in_plane = folded(membrane.stiffness(), of_plane_);
+  const auto bent = folded(bending_, plate.constraints());
+  Forces diagonal_in_plane = diagonal_of(in_plane), diagonal = diagonal_of(bent);
+  for (const auto& held : of_plane_.held()) at_dof(diagonal_in_plane, held) = 0;
+  for (const auto& held : plate.constraints().held()) at_dof(diagonal, held) = 0;
+  weight_ = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
+  // the unknowns of a point and of the same point in its plane stand together
+  const auto order = elimination_order(in_plane, diagonal_in_plane + diagonal);
+  std::vector<int> both;
+  for (const int k : order) both.push_back(k), both.push_back(int(points) + k);
+  unknowns_in_plane_ = unknowns(diagonal_in_plane, order);
+  unknowns_ = unknowns(behind(diagonal, diagonal_in_plane), both);
+  plane_ = factorised(of_unknowns(in_plane, unknowns_in_plane_));
+}
+
+StretchedPlate::~StretchedPlate() = default;
+
+double StretchedPlate::norm(const Forces& forces) const {
+  return std::sqrt((forces.array().square() * weight_.array()).sum());
+}
+
+/// The plate in its plane in equilibrium with given deflections: linear in its displacements.
+State StretchedPlate::in_plane(const State& bending, double factor) const {
+  Forces on_bending, force;
+  stretching_->internal_force(bending, zero_like(bending), on_bending, force);
+  force += factor * load_in_plane_;
+  of_plane_.fold(force);
+  State result = solution(*plane_, unknowns_in_plane_, force);
+  of_plane_.impose(result);
+  return result;
+}
+
+StretchedPlate::Now StretchedPlate::at(const State& bending, double factor) const {
+  Now now{bending, in_plane(bending, factor), {}, {}};
+  Forces on_membrane;
+  stretching_->internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
+  plate_.internal_force(now.bending, now.left);
+  now.left += now.on_bending + factor * load_;
+  plate_.constraints().fold(now.left);
+  now.bending_energy = plate_.strain_energy(now.bending);
+  now.membrane_energy = stretching_->energies(now.bending, now.membrane).sum();
+  now.potential = -factor * (load_.cwiseProduct(now.bending).sum() + load_in_plane_.cwiseProduct(now.membrane).sum());
+  now.residual = norm(now.left);
+  if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
+    throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
+  return now;
+}
+
+/// The stiffness there, with the least share of its diagonal that makes it positive.
+std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) const {
+  constexpr double first = 1e-4, growth = 10, most = 1e4;
+  auto matrix = stretching_->stiffness(now.bending, now.membrane);
+  add(bending_, matrix);
+  const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
+  for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
+      return std::make_unique<Factor>(lower, shift);
+    } catch (const NumericalError&) {
+      if (shift > most) throw;
+    }
+}
+
+/// The deflections that a force on the plate causes there, with the plane following.
+State StretchedPlate::direction(const Factor& tangent, const Forces& force) const {
+  State result = solution(tangent, unknowns_, force).leftCols(Eigen::Index(plate_.points()));
+  plate_.constraints().impose(result);
+  return result;
+}
+
+/// Newton's iteration at one load factor, with steps that lower the energy.
+bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptions& options, LoadStep& step) const {
+  constexpr std::size_t most = 30;
+  constexpr int halvings = 10;
+  constexpr double rounding = 1e-13;
+  Forces load = factor * load_;
+  plate_.constraints().fold(load);
+  for (step.iterations = 0;; ++step.iterations) {
+    stop_if_asked("large deflections", plate_.constraints());
+    Forces stretched = now.on_bending;
+    plate_.constraints().fold(stretched);
+    const double scale = std::max(norm(load), norm(stretched));
+    step.residual = scale > 0 ? now.residual / scale : 0;
+    if (options.progress) options.progress(factor, step.iterations, step.residual);
+    if (step.residual <= options.tolerance) return true;
+    if (step.iterations == most) return false;
+    double shift = 0;
+    const auto inverse = tangent(now, shift);
+    step.snapped = step.snapped || shift > 0;
+    const State way = direction(*inverse, behind(now.left, zero_like(now.left)));
+    double share = 1;
+    for (int n = 0;; ++n, share /= 2) {
+      Now next = at(now.bending + share * way, factor);
+      const double room = rounding * (now.bending_energy + now.membrane_energy + std::abs(now.potential));
+      if (next.energy() <= now.energy() + room || next.residual < now.residual / 2) {
+        now = std::move(next);
+        break;
+      }
+      if (n == halvings) return false;
+    }
+  }
+}
+
+/// The plate as its loads grow.
+struct StretchedPlate::Path {
+  Now now;
+  double factor = 0, step = 1;  // of the loads
+  State rate;                   // of the deflections by the factor
+  double along = 0;             // of the displacement of the loads
+  double integral = 0;          // of that displacement over the factor
+  std::size_t bytes = 0;        // of the stiffness
+  bool stable = true;
+};
+
+double StretchedPlate::by_loads(const State& bending, const State& membrane) const {
+  return load_.cwiseProduct(bending).sum() + load_in_plane_.cwiseProduct(membrane).sum();
+}
+
+/// Finds how the plate goes on from where it is.
+void StretchedPlate::look_ahead(Path& path) const {
+  double shift = 0;
+  const auto inverse = tangent(path.now, shift);
+  Forces all = behind(load_, load_in_plane_);
+  of_both_.fold(all);
+  State rate = solution(*inverse, unknowns_, all);
+  of_both_.impose(rate);
+  path.rate = rate.leftCols(load_.cols());
+  path.along = by_loads(path.rate, rate.rightCols(load_.cols()));
+  path.bytes = inverse->bytes(), path.stable = shift == 0;
+}
+
+/// Finds the next equilibrium; false where there is none within the least step.
+bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const {
+  constexpr double least = 1e-4, usual = 5;  // step of the factor; iterations
+  for (;; path.step /= 4) {
+    if (path.step < least) return false;
+    LoadStep step;
+    step.factor = path.factor + path.step > 1 - least ? 1 : path.factor + path.step;
+    const double length = step.factor - path.factor;
+    Now next = at(path.now.bending + length * path.rate, step.factor);
+    const bool found = iterate(next, step.factor, options, step);
+    result.iterations += step.iterations;
+    if (!found) continue;
+    step.largest_deflection = next.bending.row(0).cwiseAbs().maxCoeff();
+    step.strain_energy = next.bending_energy + next.membrane_energy;
+    const double before = by_loads(path.now.bending, path.now.membrane), along = path.along;
+    path.now = std::move(next), path.factor = step.factor;
+    look_ahead(path);
+    step.stable = path.stable;
+    // Hermite's rule
+    path.integral += length * (before + by_loads(path.now.bending, path.now.membrane)) / 2 +
+                     length * length * (along - path.along) / 12;
+    path.step = length * std::clamp(usual / double(step.iterations + 1), 0.5, 3.0);
+    result.steps.push_back(step);
+    return true;
+  }
+}
+
+LargeDeflections StretchedPlate::equilibrium(const LargeDeflectionOptions& options) const {
+  constexpr double far = 2;  // thicknesses, of the first step by linear theory
+  LargeDeflections result;
+  Path path{at(zero_like(load_), 0), 0, 1, {}, 0, 0, 0, true};
+  look_ahead(path);
+  const double linear = path.rate.row(0).cwiseAbs().maxCoeff();
+  if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);
+  while (path.factor < 1 && advance(path, options, result)) {
+  }
+  result.converged = path.factor >= 1;
+  result.stop_reason = result.converged ? fmt::format("residual below tolerance in {} load steps", result.steps.size())
+                                        : fmt::format("no equilibrium found beyond {:.4g} of the loads", path.factor);
+  auto& now = path.now;
+  result.external_work = path.factor * by_loads(now.bending, now.membrane) - path.integral;
+  result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
+  result.factor_bytes = path.bytes;
+  Forces ignored;
+  stretching_->internal_force(now.bending, zero_like(now.bending), ignored, result.on_membrane);
+  result.membrane_forces = stretching_->membrane_forces(now.bending, now.membrane);
+  result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);
+  result.on_bending = std::move(now.on_bending);
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,73 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/stretching.hpp"
+#include "plate/solve/load_step.hpp"
+#include "plate/solve/matrices/factor.hpp"
+
+namespace plate {
+
+class Formulation;
+
+/// Limits of the search for an equilibrium with large deflections.
+struct LargeDeflectionOptions {
+  double tolerance = 1e-6;  // of the residual, as in StaticOptions
+  std::function<void(double factor, std::size_t iterations, double residual)> progress = {};
+};
+
+/// Equilibrium of a plate with large deflections.
+struct LargeDeflections {
+  State bending, membrane;
+  std::vector<LoadStep> steps;
+  double bending_energy = 0, membrane_energy = 0;
+  double external_work = 0;  // of the loads along the steps; exact to the fourth order of their lengths
+  Forces on_bending;         // of the stretched middle plane on the deflections
+  Forces on_membrane;        // by which the deflections stretch it, as loads of the flat plate in its plane
+  Eigen::Matrix3Xd membrane_forces;
+  std::size_t iterations = 0, factor_bytes = 0;
+  bool converged = false;
+  std::string stop_reason;
+
+  bool snapped() const;
+};
+
+/// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains.
+/// States of both stand behind each other: the plate's points, then the same points in their plane.
+class StretchedPlate {
+public:
+  /// Both must outlive this. Pins hold the rigid motions that no support of the plane prevents.
+  StretchedPlate(const Formulation& plate, const Formulation& membrane);
+  ~StretchedPlate();
+
+  /// Equilibrium under all loads, which grow together in steps that find their own length.
+  /// @throws NumericalError  where a number is not finite
+  LargeDeflections equilibrium(const LargeDeflectionOptions& options) const;
+
+private:
+  struct Now;
+  struct Path;
+  State in_plane(const State& bending, double factor) const;
+  Now at(const State& bending, double factor) const;
+  std::unique_ptr<Factor> tangent(const Now& now, double& shift) const;
+  State direction(const Factor& tangent, const Forces& force) const;
+  bool iterate(Now& now, double factor, const LargeDeflectionOptions& options, LoadStep& step) const;
+  double norm(const Forces& forces) const;
+  double by_loads(const State& bending, const State& membrane) const;
+  void look_ahead(Path& path) const;
+  bool advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
+
+  const Formulation& plate_;
+  const Formulation& membrane_;
+  std::unique_ptr<const Stretching> stretching_;
+  PointMatrix bending_;
+  Constraints of_plane_, of_both_;
+  Forces load_, load_in_plane_, weight_;
+  Unknowns unknowns_, unknowns_in_plane_;
+  std::unique_ptr<const Factor> plane_;  // of the plate in its plane
+};
+
+}  // namespace plate
