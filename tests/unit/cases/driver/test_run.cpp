@@ -84,3 +84,25 @@ TEST_CASE("factors again: state.h5 of a run with loads in the plane gives N1 and
   }
   CHECK(summary.srif[0].membrane.has_value());
 }
+
+TEST_CASE("factors: twice the spacing widens the errors of N1 and N2") {
+  const small_run::TemporaryFolder scratch;
+  const auto factors = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> settings{"support[0].in_plane=\"fixed\"",
+                                      "load=[{kind='pressure',value=1},{kind='edge_traction',edges=['right'],"
+                                      "tensor=[1,2,0.5]}]"};
+    settings.insert(settings.end(), more.begin(), more.end());
+    const auto text = case_text::plain + "[srif]\nmethods = [\"domain_integral\"]\n[output]\nfields = []\n";
+    return cases::run(case_text::read(text, settings), {scratch / "run", true}).srif;
+  };
+  const auto own = factors({}), coarser = factors({"discretization.spacing=0.1"}),
+             both = factors({"srif.richardson=true"});
+  REQUIRE(both.size() == own.size());
+  for (std::size_t tip = 0; tip < both.size(); ++tip)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto &one = *own[tip].membrane, &wide = *both[tip].membrane;
+      CHECK(wide.N[i] == one.N[i]);
+      CHECK(*wide.errors[i] ==
+            Approx(std::max(one.errors[i].value_or(0), std::abs(one.N[i] - coarser[tip].membrane->N[i]))));
+    }
+}
