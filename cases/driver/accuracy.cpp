@@ -174,6 +174,12 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
     const auto methods = tip_methods(coarse, *found.plate);
     rows.push_back(fracture::of_all(
         *found.plate, factors_at_rest(*found.plate, methods, c.analysis, *c.srif, "with twice the spacing").factors));
+    if (const auto& membrane = found.membrane)
+      post::add_membrane(rows.back(),
+                         factors_at_rest(*membrane, tip_methods(coarse, *membrane), c.analysis, *c.srif,
+                                         "in the plane with twice the spacing")
+                             .factors,
+                         c.section);
     for (const auto& tip : methods) works.push_back(tip.works());
   }
   for (const auto& row : rows) post::require_finite(row, "with twice the spacing");

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "cases/input/case_file.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
 #include "post/files/checkpoints.hpp"
@@ -99,7 +100,8 @@ Recording recording(const RunPlan& plan) {
                                  .resolved_case = resolved,
                                  .version = PDPLATE_VERSION,
                                  .velocities = c.moves(),
-                                 .goes_on = goes_on};
+                                 .goes_on = goes_on,
+                                 .in_plane = c.analysis.kind == Analysis::Kind::static_ && plate::loaded_in_plane(c)};
   auto sink = std::make_unique<post::Folder>(
       post::FolderOptions{options.folder, c.output.vtk, c.output.hdf5, std::move(state), options.communicator},
       std::move(lock));

@@ -17,7 +17,6 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/hdf5/state_file.hpp"
@@ -120,20 +119,8 @@ post::Summary run(const CaseFile& file, const RunOptions& options) {
   }
 }
 
-namespace {
-
-void require_bending_alone(const CaseFile& file, const char* what) {
-  if (plate::loaded_in_plane(file.content))
-    throw CaseError(
-        {{file.place("load"), "load",
-          fmt::format("acts in the plane, which {} does not know: srif.csv of the run has N1 and N2", what)}});
-}
-
-}  // namespace
-
 post::Table energy_check(const CaseFile& file) {
   const Case& c = file.content;
-  require_bending_alone(file, "the energy check");
   if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
     throw CaseError(
         {{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case, of one load"}});
@@ -190,12 +177,14 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
     throw CaseError({{file.place("growth"), "growth",
                       "the cracks have grown since: srif.csv of the run has their factors "
                       "along the way"}});
-  require_bending_alone(file, "state.h5");
   if (!c.srif) throw CaseError({{file.place("srif"), "srif", "is not there: this run finds no intensity factors"}});
   const auto run = post::read_run(folder / "state.h5");
   const auto own = discretised(file);
   const auto methods_of_tips = tip_methods(file, *own.plate);
-  return post::stored_factors(run, *own.plate, *c.srif, methods_of_tips);
+  if (!own.membrane) return post::stored_factors(run, *own.plate, *c.srif, methods_of_tips);
+  const auto methods_in_plane = tip_methods(file, *own.membrane);
+  return post::stored_factors(run, *own.plate, *c.srif, methods_of_tips,
+                              post::PlateInPlane{*own.membrane, methods_in_plane});
 }
 
 }  // namespace cases

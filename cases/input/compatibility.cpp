@@ -181,7 +181,6 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, load_cases, "case",
      "load cases have no loads in the plane yet: give these a case file of their own"},
     {load_in_plane, factors_to_accuracy, "srif.accuracy", of_bending},
-    {load_in_plane, richardson, "srif.richardson", of_bending},
     {load_in_plane, second_formulation, "srif.second_formulation", of_bending},
     {large_deflections, settlement, settlements,
      "\"settlement\" given: supports that move are not carried with large deflections yet: remove it, or nonlinear"},

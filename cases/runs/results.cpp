@@ -143,9 +143,35 @@ post::Cracks Results::finish_growth() {
   return record.cracks;
 }
 
+namespace {
+
+/// Warnings of factors in the plane that twice the spacing puts in doubt more than their own estimates do. `own`: the
+/// factors of the plate in its plane, with these estimates.
+std::vector<std::string> doubts_in_plane(const std::vector<post::Srif>& srifs, const std::vector<post::Srif>& own,
+                                         const std::string& remedy) {
+  constexpr double uncertain = 0.03;
+  std::vector<std::string> result;
+  for (const auto* one : post::recommended(srifs)) {
+    const auto estimated = std::ranges::find(own, one->tip, &post::Srif::tip);
+    if (!one->membrane || estimated == own.end()) continue;
+    const auto& [N, errors] = std::tie(one->membrane->N, one->membrane->errors);
+    const double largest = std::max(std::abs(N[0]), std::abs(N[1]));
+    for (std::size_t i = 0; i < N.size(); ++i)
+      if (const double error = errors[i].value_or(0);
+          error > estimated->errors[i].value_or(0) && error > uncertain * largest)
+        result.push_back(fmt::format("tip {} ({:.4g}, {:.4g}): N{} differs by {:.2g} % at twice the spacing; {}",
+                                     one->tip, one->position.x(), one->position.y(), i + 1, 100 * error / largest,
+                                     remedy));
+  }
+  return result;
+}
+
+}  // namespace
+
 /// Factors of loads in the plane that are not resolved or doubtful, and faces that overlap with them.
 void Results::warn_in_plane() {
   outputs_.warn(in_plane_->warnings);
+  outputs_.warn(doubts_in_plane(outputs_.summary().srif, in_plane_->factors, membrane_->remedy()));
   for (const auto* one : post::recommended(outputs_.summary().srif)) {
     const auto where = post::overlap(*one);
     if (where != post::Overlap::above && where != post::Overlap::both) continue;

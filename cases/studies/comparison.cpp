@@ -78,7 +78,7 @@ post::Table tip_history(const post::Table& srifs, const std::optional<geometry::
 
 /// The reference's columns for a quantity, the best first: F1_J, then F1, F1_paper_LS and so on.
 std::vector<std::string> reference_columns(const post::Table& reference, const std::string& quantity) {
-  const bool factor = quantity.starts_with('K') || quantity.starts_with('F');
+  const bool factor = quantity.starts_with('K') || quantity.starts_with('F') || quantity.starts_with('N');
   std::vector<std::string> names;
   for (const std::string& name : reference.columns) {
     if (name == quantity || (factor && name.starts_with(quantity + "_"))) names.push_back(name);
@@ -125,10 +125,10 @@ std::vector<ComparedQuantity> compare(const std::filesystem::path& results, cons
   if (const auto probes = read_if_there(results / "probes.csv")) {
     const post::Table history = probe(*probes);
     if (!history.rows.empty()) near = place(history, history.rows.front());
-    add(rows, history, curves, {"w", "theta_x", "theta_y"});
+    add(rows, history, curves, {"w", "theta_x", "theta_y", "u", "v"});
   }
   if (const auto srifs = read_if_there(results / "srif.csv"))
-    add(rows, tip_history(*srifs, near), curves, {"F1", "F2", "F3", "K1", "K2", "K3"});
+    add(rows, tip_history(*srifs, near), curves, {"F1", "F2", "F3", "K1", "K2", "K3", "N1", "N2"});
   if (rows.empty()) {
     throw std::invalid_argument(fmt::format("no curve in common with {}", (results / "{probes,srif}.csv").string()));
   }

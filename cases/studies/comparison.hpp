@@ -12,7 +12,7 @@ namespace cases {
 
 /// Quantity of a run compared with a column of a reference.
 struct ComparedQuantity {
-  std::string quantity;   // w, theta_x, theta_y, K1 ... K3, F1 ... F3
+  std::string quantity;   // w, theta_x, theta_y, u, v, K1 ... K3, F1 ... F3, N1, N2
   std::string reference;  // the column: F1_J is the best value of F1, F1_paper_LS the paper's own recipe
   Comparison comparison;
   post::Curve computed, known;  // the whole curves, also outside the range that both cover

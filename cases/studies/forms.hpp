@@ -81,10 +81,10 @@ Fields<T> quantity_fields() {
   const auto read_probe = [](const Value& given, T& object) { object.quantity.probe = given.text(); };
   return {choice<T, std::string>("quantity", name, words, "").required(),
           counted("tip", "the number of a crack tip, from 0", 0, &post::Quantity::tip)
-              .with(of_kind("tip", "quantity = K1 ... F3, K1_peak ... K3_peak")),
+              .with(of_kind("tip", "quantity = K1 ... F3, N1, N2, K1_peak ... K3_peak")),
           entry<T>("probe", "the name of a probe", read_probe)
               .required()
-              .with(of_kind("probe", "quantity = w, theta_x or theta_y")),
+              .with(of_kind("probe", "quantity = w, theta_x, theta_y, u or v")),
           counted("mode", "the number of a mode, from 1", 1, &post::Quantity::mode)
               .with(of_kind("mode", "quantity = frequency"))};
 }

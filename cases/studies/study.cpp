@@ -7,6 +7,7 @@
 #include "cases/input/keys.hpp"
 #include "cases/studies/orders.hpp"
 #include "geometry/shape/outline.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/process.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/table.hpp"
@@ -33,6 +34,9 @@ std::string lacking_whole(const Case& c, const std::string& name) {
 
 std::string lacking(const Case& c, const post::Quantity& quantity) {
   if (auto why = lacking_whole(c, quantity.name); !why.empty()) return why;
+  const auto& name = quantity.name;
+  if ((name == "N1" || name == "N2" || name == "u" || name == "v") && !plate::loaded_in_plane(c))
+    return "the case has no loads in the plane";
   if (quantity.probe && !c.output.probes.contains(*quantity.probe))
     return fmt::format("the case has no probe \"{}\"", *quantity.probe);
   if (!quantity.tip) return "";
@@ -134,7 +138,7 @@ Fields<Axis> axis_fields() {
 /// The keys of a quantity, with the method of factors.
 template <class T>
 Fields<T> asked_fields() {
-  const Condition<T> has_method{"quantity", "quantity = K1 ... F3", [](const T& object) {
+  const Condition<T> has_method{"quantity", "quantity = K1 ... F3, N1 or N2", [](const T& object) {
                                   const auto& name = object.quantity.name;
                                   return post::kind_of_place(name) == "tip" && post::has_history(name);
                                 }};

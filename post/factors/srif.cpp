@@ -21,6 +21,18 @@ void at_least(Srif& srif, const std::array<double, 3>& other) {
     srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]));
 }
 
+/// The errors in the plane are at least the differences from another result; a factor is not resolved where its error
+/// is above a tenth of the largest.
+void at_least(MembraneFactors& membrane, const MembraneFactors& other) {
+  constexpr double lost = 0.1;
+  const double largest = std::max(std::abs(membrane.N[0]), std::abs(membrane.N[1]));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double error = std::max(membrane.errors[i].value_or(0), std::abs(membrane.N[i] - other.N[i]));
+    membrane.errors[i] = error;
+    membrane.resolved[i] = membrane.resolved[i] && error <= lost * largest;
+  }
+}
+
 constexpr std::array<std::pair<SrifMethod, const char*>, 7> names_of_methods{
     {{SrifMethod::virtual_crack_extension, "virtual_crack_extension"},
      {SrifMethod::domain_integral, "domain_integral"},
@@ -59,6 +71,7 @@ double largest_factor(const Srif& srif, double thickness) {
 }
 
 void widen(Srif& srif, const Srif& coarser, double thickness) {
+  if (srif.membrane && coarser.membrane) at_least(*srif.membrane, *coarser.membrane);
   const double largest = largest_factor(srif, thickness);
   if (largest == 0) return;
   srif.estimated_error = std::max(srif.estimated_error.value_or(0), difference(srif, coarser, thickness) / largest);

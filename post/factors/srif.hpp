@@ -113,7 +113,8 @@ double largest_factor(const Srif& srif, double thickness);
 /// Recommended factors of each tip: the first that it has.
 std::vector<const Srif*> recommended(const std::vector<Srif>& srifs);
 
-/// The difference from the same factors with twice the spacing, as a bound of the error of the first order.
+/// The difference from the same factors with twice the spacing, those in the plane too, as a bound of the error of the
+/// first order.
 void widen(Srif& srif, const Srif& coarser, double thickness);
 
 /// Adds to the errors, those of K1, K2 and K3 times the thickness.

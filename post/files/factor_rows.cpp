@@ -156,16 +156,35 @@ plate::State lift_of_frame(std::size_t frame, double time, const plate::Formulat
   return lift;
 }
 
+/// State of a plate in its plane with these displacements u, v of its points: theta_y = u, theta_x = -v.
+plate::State state_in_plane(const plate::Formulation& membrane, const Eigen::Matrix2Xd& displacement) {
+  plate::State state = plate::zero_state(membrane.cloud().size());
+  const auto points = displacement.cols();
+  state.row(1).head(points) = -displacement.row(1), state.row(2).head(points) = displacement.row(0);
+  membrane.constraints().impose(state);
+  return state;
+}
+
+/// Adds the factors in the plane of a frame.
+void add_in_plane(std::vector<Srif>& found, const PlateInPlane& in_plane, const Eigen::Matrix2Xd& displacement,
+                  const plate::Section& section, const SrifOptions& options) {
+  const auto& [membrane, methods] = in_plane;
+  const auto stretched = srifs(membrane, options, methods, state_in_plane(membrane, displacement));
+  require_finite(stretched, "in the plane");
+  add_membrane(found, stretched, section);
+}
+
 }  // namespace
 
 Table stored_factors(const StoredRun& run, const plate::Formulation& plate, const SrifOptions& options,
-                     const std::vector<TipMethods>& methods) {
+                     const std::vector<TipMethods>& methods, const std::optional<PlateInPlane>& in_plane) {
   const auto& cloud = plate.cloud();
   Table table{srif_columns(), {}};
   const auto names = names_of_frames(plate.problem());
   if (run.positions.size() != cloud.plate_points || (names.size() < run.times.size() && !names.empty()))
     throw std::runtime_error("state.h5 does not belong to case.resolved.toml");
-  if (!names.empty()) table.columns.emplace_back("case");
+  if (in_plane && run.displacements.size() < run.times.size())
+    throw std::runtime_error("state.h5 has no displacements in the plane: run the case again");
   std::vector<std::vector<Srif>> of_frames;  // of load cases
   plate::State state = plate::zero_state(cloud.size());
   for (std::size_t frame = 0; frame < run.times.size(); ++frame) {
@@ -174,6 +193,7 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
     if (plate::has_prescribed_displacements(plate)) state += lift_of_frame(frame, run.times[frame], plate);
     const auto heat = heat_of_frame(frame, run.times[frame], plate);
     auto found = srifs(plate, options, methods, state, true, &heat);
+    if (in_plane) add_in_plane(found, *in_plane, run.displacements[frame], plate.problem().section, options);
     require_finite(found, fmt::format("at time {:g}", run.times[frame]));
     if (names.empty()) {
       append(table, run.times[frame], found);
@@ -185,6 +205,7 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
     append(table, run.times[frame], of_frames.back());
     for (auto row = before; row < table.rows.size(); ++row) table.rows[row].emplace_back(names[frame]);
   }
+  if (!names.empty()) table.columns.emplace_back("case");
   return table;
 }
 

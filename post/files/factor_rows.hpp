@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "post/factors/srif.hpp"
@@ -70,9 +71,16 @@ private:
 void append(Table& table, double time, const std::vector<Srif>& srifs);
 std::vector<std::string> srif_columns();
 
-/// The rows of srif.csv, found again in the states of a finished run of this plate. Throws std::runtime_error where it
-/// is a run of another plate, plate::NumericalError where a factor is not finite.
+/// A plate in its plane, and the methods for its tips.
+struct PlateInPlane {
+  const plate::Formulation& membrane;
+  const std::vector<TipMethods>& methods;
+};
+
+/// The rows of srif.csv, found again in the states of a finished run of this plate. `in_plane`: where loads act there.
+/// Throws std::runtime_error where it is a run of another plate or has no displacements in the plane,
+/// plate::NumericalError where a factor is not finite.
 Table stored_factors(const StoredRun& run, const plate::Formulation& plate, const SrifOptions& options,
-                     const std::vector<TipMethods>& methods);
+                     const std::vector<TipMethods>& methods, const std::optional<PlateInPlane>& in_plane = {});
 
 }  // namespace post

@@ -113,9 +113,13 @@ const std::vector<Kind>& kinds() {
                                      {"F1", "tip", "F1", "normalized factor F1", ""},
                                      {"F2", "tip", "F2", "normalized factor F2", ""},
                                      {"F3", "tip", "F3", "normalized factor F3", ""},
+                                     {"N1", "tip", "N1", "intensity factor N1 in the plane", shear},
+                                     {"N2", "tip", "N2", "intensity factor N2 in the plane", shear},
                                      {"w", "probe", "w", "deflection w", "m"},
                                      {"theta_x", "probe", "theta_x", "rotation \u03b8x", ""},
                                      {"theta_y", "probe", "theta_y", "rotation \u03b8y", ""},
+                                     {"u", "probe", "u", "displacement u", "m"},
+                                     {"v", "probe", "v", "displacement v", "m"},
                                      {"strain_energy", "", "strain_energy", "strain energy", "J"},
                                      {"kinetic_energy", "", "kinetic_energy", "kinetic energy", "J"},
                                      {"external_work", "", "external_work", "external work", "J"},
@@ -141,12 +145,13 @@ std::optional<double> finite(const Cell& cell) {
   return number && std::isfinite(*number) ? std::optional(*number) : std::nullopt;
 }
 
-/// The rows of a quantity in one of the tables of a run; no rows where there is none.
+/// The rows of a quantity in one of the tables of a run; no rows where there is none, or the table does not have it.
 Table rows_of(const Quantity& quantity, const std::filesystem::path& folder) {
   const char* name = quantity.tip ? "srif.csv" : quantity.probe ? "probes.csv" : "history.csv";
   if (!std::filesystem::exists(folder / name)) return {};
   const Table all = read_csv(folder / name);
   Table result{all.columns, {}};
+  if (std::ranges::find(all.columns, kind(quantity.name).column) == all.columns.end()) return result;
   const auto keep = [&](const std::function<bool(const Row&)>& wanted) {
     std::ranges::copy_if(all.rows, std::back_inserter(result.rows), wanted);
   };
@@ -179,6 +184,8 @@ std::optional<double> factor(const std::string& name, const Srif& srif) {
   const std::string names[] = {"K1", "K2", "K3", "F1", "F2", "F3"};
   for (std::size_t i = 0; i < 6; ++i)
     if (name == names[i] && srif.resolved[i % 3]) return values[i];
+  const std::size_t in_plane = name == "N2" ? 1 : 0;
+  if (name.starts_with('N') && srif.membrane && srif.membrane->resolved[in_plane]) return srif.membrane->N[in_plane];
   return std::nullopt;
 }
 
@@ -268,9 +275,12 @@ std::optional<double> value(const Quantity& quantity, const Summary& summary, co
 }
 
 std::optional<double> estimated_error(const Quantity& quantity, const Summary& summary) {
+  const bool in_plane = quantity.name.starts_with('N');
   const auto* srif =
-      quantity.name.starts_with('K') && has_history(quantity.name) ? srif_of(quantity, summary) : nullptr;
-  return srif ? srif->errors.at(std::size_t(quantity.name.at(1) - '1')) : std::nullopt;
+      (in_plane || quantity.name.starts_with('K')) && has_history(quantity.name) ? srif_of(quantity, summary) : nullptr;
+  if (!srif || (in_plane && !srif->membrane)) return std::nullopt;
+  const auto i = std::size_t(quantity.name.at(1) - '1');
+  return in_plane ? srif->membrane->errors.at(i) : srif->errors.at(i);
 }
 
 Curve history(const Quantity& quantity, const std::filesystem::path& folder) {

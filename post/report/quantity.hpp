@@ -15,14 +15,14 @@ struct Table;
 /// no such file, or it is incomplete.
 std::optional<Summary> read_summary(const std::filesystem::path& path);
 
-/// A number that runs are compared by: K1, K2, K3, F1, F2, F3 of a tip, K1_peak, K2_peak, K3_peak of a motion, w,
-/// theta_x, theta_y at a probe, the frequency of a mode, or of the whole plate. Has a tip, a probe, a mode or none, as
-/// its name asks for.
+/// A number that runs are compared by: K1, K2, K3, F1, F2, F3, N1, N2 of a tip, K1_peak, K2_peak, K3_peak of a motion,
+/// w, theta_x, theta_y, u, v at a probe, the frequency of a mode, or of the whole plate. Has a tip, a probe, a mode or
+/// none, as its name asks for.
 struct Quantity {
   std::string name;
   std::optional<std::size_t> tip = std::nullopt;
   std::optional<std::string> probe = std::nullopt;
-  std::string method = {};                         // of K and F; empty: the first of the tip
+  std::string method = {};                         // of K, F and N; empty: the first of the tip
   std::optional<std::size_t> mode = std::nullopt;  // from 1
 
   /// "tip 0", the probe's name, or "".
@@ -52,7 +52,7 @@ bool has_history(const std::string& quantity);
 /// Nothing where the run has no such number, or it is not finite.
 std::optional<double> value(const Quantity& quantity, const Summary& summary, const std::filesystem::path& folder);
 
-/// The estimated error of that number, in its units; of K1, K2 and K3 only.
+/// The estimated error of that number, in its units; of K1, K2, K3, N1 and N2 only.
 std::optional<double> estimated_error(const Quantity& quantity, const Summary& summary);
 
 /// The quantity at all times that the probes.csv, srif.csv or history.csv of a finished run has; no samples where none

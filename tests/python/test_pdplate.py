@@ -48,8 +48,14 @@ def changed(**tables):
     return case
 
 
+# the same, pulled along its edges in the plane
+PULLED = changed(support=[{"edges": ["bottom"], "kind": "simply_supported", "in_plane": "fixed"},
+                          {"edges": ["top"], "kind": "simply_supported"}],
+                 load=[{"kind": "pressure", "value": 1.0}, {"kind": "edge_traction", "edges": ["top"], "value": 10.0}])
+
 CASES = {
     "static": (PLATE, {}),
+    "loads in the plane": (PULLED, {}),
     "static, bonds": (changed(discretization={"spacing": 0.05, "formulation": "ordinary"}), {}),
     "dynamic": (changed(analysis={"kind": "dynamic", "duration": 0.4}, output={"every": 0.1, "probes": {"tip": [0.3, -0.05]}}), {}),
     "dynamic, bonds": (changed(analysis={"kind": "dynamic", "duration": 0.1},
@@ -152,6 +158,21 @@ class Arrays(unittest.TestCase):
         with self.assertRaises(AttributeError):
             result.w
         self.assertEqual(result.frames, [])
+
+    def test_loads_in_the_plane(self):
+        result = pdplate.run(PULLED)
+        first = result.factors[0]
+        self.assertGreater(first["N1"], 0)
+        self.assertGreater(first["estimated_error_N1"], 0)
+        self.assertEqual(result.K()["N1"], first["N1"])
+        self.assertIn("KI_bottom", first["faces"])
+        self.assertEqual(result.displacement.shape, result.points.shape)
+        self.assertEqual(result.membrane_forces.shape, result.moments.shape)
+        self.assertGreater(result.probes["v"][0], 0)
+        bent = pdplate.run(PLATE)
+        self.assertIsNone(bent.displacement)
+        self.assertNotIn("N1", bent.K())
+        self.assertNotIn("u", bent.probes)
 
     def test_motion_and_growth(self):
         motion = pdplate.run(*CASES["dynamic"])

@@ -49,13 +49,15 @@ def _cells(column):
 
 class Frame:
     """The fields of one instant, advance or mode: `time`, `points` (n, 2), `w` (n,), `theta` (n, 2), `moments` (n, 3: Mxx, Myy, Mxy),
-    `shear` (n, 2: Qx, Qy), `von_mises` (top face), `damage`, `cut`, `area`; cells `quads` (., 4) and `triangles` (., 3).
-    After the points stand the corners of cells on edges and cracks, where `area` is 0."""
+    `shear` (n, 2: Qx, Qy), `von_mises` (top face; with loads in the plane the larger of both faces), `damage`, `cut`, `area`;
+    with loads in the plane `displacement` (n, 2: u, v) and `membrane_forces` (n, 3: Nxx, Nyy, Nxy), otherwise None; cells `quads`
+    (., 4) and `triangles` (., 3). After the points stand the corners of cells on edges and cracks, where `area` is 0."""
 
     def __init__(self, raw):
         self.time, self.points, self.w, self.theta = raw["time"], raw["x"], raw["w"], raw["theta"]
         self.moments, self.shear, self.von_mises = raw["moments"], raw["shear"], raw["von_mises"]
         self.damage, self.cut, self.area = raw["damage"], raw["cut"], raw["area"]
+        self.displacement, self.membrane_forces = raw.get("displacement"), raw.get("membrane_forces")
         self.quads, self.triangles = raw["quads"], raw["triangles"]
 
 
@@ -63,10 +65,12 @@ class Result:
     """What a run gives.
 
     summary      as summary.json: a dict
-    factors      its entries of `srif`: dicts, the recommended method of each tip first
+    factors      its entries of `srif`: dicts, the recommended method of each tip first, with K1, K2, K3, their estimated errors and
+                 `faces`; with loads in the plane N1 and N2 as well
     tables       name -> column -> array, as the .csv files: history, srif, probes, frequencies, growth, tips, cracks; nan where a cell
                  is empty; columns of words are lists
-    frames       a list of Frame; points, w, theta, moments, shear, von_mises, damage are those of the last one
+    frames       a list of Frame; points, w, theta, moments, shear, von_mises, damage, displacement, membrane_forces are those of the
+                 last one
     cracks       with growth, the cracks at the end: arrays (n, 2)
     parts        further runs: "motion" after a growth, or the other formulation
     resolved     the whole case with its defaults, as TOML"""
@@ -81,7 +85,8 @@ class Result:
         self.parts = {name: Result(part) for name, part in raw["parts"].items()}
 
     def __getattr__(self, name):
-        if name in ("points", "w", "theta", "moments", "shear", "von_mises", "damage", "cut", "area", "quads", "triangles"):
+        if name in ("points", "w", "theta", "moments", "shear", "von_mises", "damage", "cut", "area", "displacement", "membrane_forces",
+                    "quads", "triangles"):
             if not self.frames:
                 raise AttributeError(f"{name}: the run kept no fields")
             return getattr(self.frames[-1], name)
@@ -95,12 +100,13 @@ class Result:
         return self.tables["frequencies"]["frequency"] if "frequencies" in self.tables else _np.array([])
 
     def K(self, tip=0, method=None):
-        """Factors of a tip in time, or over the advances of a growth, by its recommended method: arrays time, K1, K2, K3."""
+        """Factors of a tip in time, or over the advances of a growth, by its recommended method: arrays time, K1, K2, K3,
+        estimated_error; with loads in the plane N1 and N2."""
         table = self.tables["srif"]
         if method is None:
             method = next(entry["method"] for entry in self.factors if entry["tip"] == tip)
         rows = (table["tip"] == tip) & (_np.array(table["method"]) == method)
-        return {name: table[name][rows] for name in ("time", "K1", "K2", "K3", "estimated_error")}
+        return {name: table[name][rows] for name in ("time", "K1", "K2", "K3", "estimated_error", "N1", "N2") if name in table}
 
     def __repr__(self):
         return f"<pdplate.Result {self.summary.get('title', '')!r}: {self.summary.get('outcome', 'failed')}>"

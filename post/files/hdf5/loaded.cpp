@@ -28,7 +28,8 @@ const Files& files() {
 StateFile::StateFile(Options options, const Mesh& mesh, const plate::Communicator& communicator)
     : order_(std::make_unique<const PointOrder>(order_of(communicator, mesh))),
       own_(Eigen::Index(mesh.own.value_or(mesh.positions.size()))),
-      others_follow_(mesh.own.has_value()) {
+      others_follow_(mesh.own.has_value()),
+      in_plane_(options.in_plane) {
   if (mesh.areas.size() != mesh.positions.size() || mesh.cut.size() != mesh.positions.size())
     throw std::invalid_argument("state.h5: areas or cut do not fit the positions");
   const auto one = [](const std::vector<double>& values) {
@@ -76,13 +77,24 @@ void StateFile::write(const Frame& frame, const plate::State* velocity) {
   if (velocity && !fits(velocity->cols())) throw std::invalid_argument("state.h5: the velocities do not fit the state");
   for (const auto columns : {moments.cols(), shear.cols(), von_mises.size()})
     if (columns != frame.state.cols()) throw std::invalid_argument("state.h5: the resultants do not fit the state");
+  const auto* const in_plane = in_plane_ && frame.in_plane ? &*frame.in_plane : nullptr;
+  if (in_plane_ && !(in_plane && in_plane->displacement.cols() == frame.state.cols() &&
+                     in_plane->force.cols() == frame.state.cols()))
+    throw std::invalid_argument("state.h5: the fields in the plane do not fit the state");
   const auto of_stress = von_mises.transpose();
-  const Motion motion{
-      frame.time,     frame.step,   order_->points(), parts(frame.state), velocity ? parts(*velocity) : InParts(),
-      parts(moments), parts(shear), parts(of_stress)};
+  const Motion motion{.time = frame.time,
+                      .step = frame.step,
+                      .points = order_->points(),
+                      .state = parts(frame.state),
+                      .velocity = velocity ? parts(*velocity) : InParts(),
+                      .moments = parts(moments),
+                      .shear_forces = parts(shear),
+                      .von_mises = parts(of_stress),
+                      .displacement = in_plane ? parts(in_plane->displacement) : InParts(),
+                      .membrane_forces = in_plane ? parts(in_plane->force) : InParts()};
   if (open_) return open_->write(motion);
-  for (const auto* numbers :
-       {&motion.state, &motion.velocity, &motion.moments, &motion.shear_forces, &motion.von_mises})
+  for (const auto* numbers : {&motion.state, &motion.velocity, &motion.moments, &motion.shear_forces, &motion.von_mises,
+                              &motion.displacement, &motion.membrane_forces})
     if (*numbers) for_each_part(motion.points, *numbers);
 }
 

@@ -77,6 +77,18 @@ void check_widths(const std::filesystem::path& path) {
     throw std::runtime_error(path.string() + ": its head is damaged, or it is no file of HDF5");
 }
 
+/// Displacements u, v of every frame; none where a run has not stored any.
+std::vector<Eigen::Matrix2Xd> read_displacements(hid_t file, hsize_t frames, hsize_t points) {
+  constexpr const char* name = "/frames/displacement";
+  if (checked(H5Lexists(file, name, H5P_DEFAULT), name) == 0) return {};
+  const Numbers displacement(file, name, 3);
+  if (displacement.sizes != Sizes{frames, points, 2})
+    throw std::runtime_error("the displacements do not fit the points");
+  std::vector<Eigen::Matrix2Xd> result(frames, Eigen::Matrix2Xd(2, points));
+  for (hsize_t i = 0; i < frames; ++i) displacement.read(i, result[i].data());
+  return result;
+}
+
 StoredRun read_frames(hid_t file) {
   check_version(file);
   const Numbers position(file, "/points/position", 2), time(file, "/frames/time", 1),
@@ -92,6 +104,7 @@ StoredRun read_frames(hid_t file) {
   time.read(run.times.data());
   plate::StateByPoints by_points(plate::unknowns_per_point, points);
   for (hsize_t i = 0; i < frames; ++i) state.read(i, by_points.data()), run.states[i] = by_points;
+  run.displacements = read_displacements(file, frames, points);
   return run;
 }
 

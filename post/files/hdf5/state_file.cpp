@@ -45,34 +45,43 @@ struct FieldOfFrames {
   hsize_t width;  // numbers of a point
   InParts StateFile::Motion::*numbers;
   hdf5::Meaning meaning;
+  bool StateFile::Options::*wanted = nullptr;  // none: always
 };
 
-const std::array<FieldOfFrames, 5>& fields_of_frames() {
+const std::array<FieldOfFrames, 7>& fields_of_frames() {
   using Motion = StateFile::Motion;
-  static const std::array<FieldOfFrames, 5> fields{
+  using Options = StateFile::Options;
+  static const std::array<FieldOfFrames, 7> fields{
       {{"state", plate::unknowns_per_point, &Motion::state, {"length, 1, 1", "w, theta_x, theta_y of every point"}},
        {"velocity",
         plate::unknowns_per_point,
         &Motion::velocity,
-        {"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"}},
+        {"length/time, 1/time, 1/time", "rates of w, theta_x, theta_y"},
+        &Options::velocities},
        {"moments", 3, &Motion::moments, {"force", "Mxx, Myy, Mxy of every point, per length"}},
        {"shear_forces", 2, &Motion::shear_forces, {"force/length", "Qx, Qy of every point, per length"}},
-       {"von_mises", 1, &Motion::von_mises, {"force/length^2", "von Mises stress at the top face of every point"}}}};
+       {"von_mises", 1, &Motion::von_mises, {"force/length^2", "von Mises stress at the top face of every point"}},
+       {"displacement", 2, &Motion::displacement, {"length", "u, v of every point"}, &Options::in_plane},
+       {"membrane_forces",
+        3,
+        &Motion::membrane_forces,
+        {"force/length", "Nxx, Nyy, Nxy of every point, per length"},
+        &Options::in_plane}}};
   return fields;
 }
 
 /// Frames of a file that is being written: they grow one by one. A field that is not stored does not exist.
 struct Frames {
   Id group;
-  std::array<Series, 5> fields;
+  std::array<Series, 7> fields;
   Series step, time;
 
   Frames() = default;
-  Frames(hid_t file, hsize_t points, bool velocities) : group(new_group(file, "frames")) {
+  Frames(hid_t file, hsize_t points, const StateFile::Options& options) : group(new_group(file, "frames")) {
     constexpr hsize_t instants = 256;  // stored together
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      const auto& [name, width, numbers, meaning] = fields_of_frames()[i];
-      if (numbers == &StateFile::Motion::velocity && !velocities) continue;
+      const auto& [name, width, numbers, meaning, wanted] = fields_of_frames()[i];
+      if (wanted && !(options.*wanted)) continue;
       fields[i] = Series(group, name, width > 1 ? hdf5::Sizes{points, width} : hdf5::Sizes{points}, 1, meaning);
     }
     step = Series(group, "step", {}, instants, {"1", "number of the time step or iteration"});
@@ -193,7 +202,7 @@ void OpenStateFile::begin(const StateFile::Points& points) {
   write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
   write_points(file_, points);
   new_group(file_, "tables");
-  series_ = Frames(file_, points_, options_.velocities);
+  series_ = Frames(file_, points_, options_);
 }
 
 void OpenStateFile::remove_files() const {
@@ -274,11 +283,12 @@ void OpenStateFile::write(const StateFile::Motion& frame) {
   if (frame.points != points_)
     throw std::invalid_argument(fmt::format("{}: a frame does not have {} points", options_.path.string(), points_));
   hsize_t numbers = 0;  // of a point
-  for (const auto& field : fields_of_frames()) numbers += field.width;
+  for (const auto& field : fields_of_frames())
+    if (frame.*field.numbers) numbers += field.width;
   require_space(options_.path, numbers * sizeof(double) * points_);
   if (file_ < 0) {
     file_ = created(part(parts_.size()));
-    series_ = Frames(file_, points_, options_.velocities);
+    series_ = Frames(file_, points_, options_);
   }
   series_.write(in_part_, frame);
   checked(H5Fflush(file_, H5F_SCOPE_LOCAL), options_.path);

@@ -14,6 +14,8 @@ Meaning meaning_of_column(const std::string& name) {
       {"x", {"length", "position"}},
       {"y", {"length", "position"}},
       {"w", {"length", "deflection"}},
+      {"u", {"length", "displacement along x"}},
+      {"v", {"length", "displacement along y"}},
       {"max_abs_w", {"length", "largest deflection"}},
       {"length", {"length", "of the whole crack"}},
       {"piece", {"length", "of the piece of crack"}},
@@ -37,9 +39,13 @@ Meaning meaning_of_column(const std::string& name) {
       {"K1", {"force length^(1/2)", "moment intensity factor, without pi"}},
       {"K2", {"force length^(1/2)", "moment intensity factor, without pi"}},
       {"K3", {"force length^(-1/2)", "shear force intensity factor, without pi"}},
+      {"N1", {"force length^(-1/2)", "membrane force intensity factor, without pi"}},
+      {"N2", {"force length^(-1/2)", "membrane force intensity factor, without pi"}},
       {"estimated_error_K1", {"force length^(1/2)", "estimated error"}},
       {"estimated_error_K2", {"force length^(1/2)", "estimated error"}},
-      {"estimated_error_K3", {"force length^(-1/2)", "estimated error"}}};
+      {"estimated_error_K3", {"force length^(-1/2)", "estimated error"}},
+      {"estimated_error_N1", {"force length^(-1/2)", "estimated error"}},
+      {"estimated_error_N2", {"force length^(-1/2)", "estimated error"}}};
   if (const auto found = known.find(name); found != known.end()) return found->second;
   if (name.starts_with("theta")) return {"1", "rotation"};
   if (name.ends_with("energy") || name.ends_with("work")) return {"force length", name};

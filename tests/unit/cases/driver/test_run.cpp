@@ -3,6 +3,7 @@
 #include "cases/driver/run.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
+#include "post/files/table.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/files/hdf5/look.hpp"
@@ -64,4 +65,44 @@ TEST_CASE("run folder: state.h5 alone holds what it holds beside fields") {
     CHECK((numbers == second.numbers(name)));
   }
   CHECK_FALSE(fs::exists(scratch / "alone/fields.pvd"));
+}
+
+TEST_CASE("factors again: state.h5 of a run with loads in the plane gives N1 and N2 as the run does") {
+  const small_run::TemporaryFolder scratch;
+  const auto summary = cases::run(
+      case_text::read(case_text::plain + "[srif]\n[output]\nfields = [\"hdf5\"]\nreport = false\n",
+                      {"support[0].in_plane=\"fixed\"",
+                       "load=[{kind='pressure',value=1},{kind='edge_traction',edges=['right'],tensor=[1,2,0.5]}]"}),
+      {scratch / "run", true});
+  const auto table = cases::srif_again(scratch / "run", {});
+  REQUIRE(table.rows.size() == summary.srif.size());
+  for (std::size_t i = 0; i < summary.srif.size(); ++i) {
+    const auto& srif = summary.srif[i];
+    if (srif.resolved[0]) CHECK(std::get<double>(table.rows[i][table.column("K1")]) == Approx(srif.K1));
+    if (srif.membrane && srif.membrane->resolved[0])
+      CHECK(std::get<double>(table.rows[i][table.column("N1")]) == Approx(srif.membrane->N[0]));
+  }
+  CHECK(summary.srif[0].membrane.has_value());
+}
+
+TEST_CASE("factors: twice the spacing widens the errors of N1 and N2") {
+  const small_run::TemporaryFolder scratch;
+  const auto factors = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> settings{"support[0].in_plane=\"fixed\"",
+                                      "load=[{kind='pressure',value=1},{kind='edge_traction',edges=['right'],"
+                                      "tensor=[1,2,0.5]}]"};
+    settings.insert(settings.end(), more.begin(), more.end());
+    const auto text = case_text::plain + "[srif]\nmethods = [\"domain_integral\"]\n[output]\nfields = []\n";
+    return cases::run(case_text::read(text, settings), {scratch / "run", true}).srif;
+  };
+  const auto own = factors({}), coarser = factors({"discretization.spacing=0.1"}),
+             both = factors({"srif.richardson=true"});
+  REQUIRE(both.size() == own.size());
+  for (std::size_t tip = 0; tip < both.size(); ++tip)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto &one = *own[tip].membrane, &wide = *both[tip].membrane;
+      CHECK(wide.N[i] == one.N[i]);
+      CHECK(*wide.errors[i] ==
+            Approx(std::max(one.errors[i].value_or(0), std::abs(one.N[i] - coarser[tip].membrane->N[i]))));
+    }
 }

@@ -26,6 +26,15 @@ TEST_CASE("lacking: a run has the quantities that its case asks for") {
   CHECK(lack(plain, {"w", {}, "middle"}) == "the case has no probe \"middle\"");
 }
 
+TEST_CASE("lacking: N1, N2, u and v are of cases with loads in the plane") {
+  const std::vector<std::string> pulled{"load=[{kind='edge_traction',edges=['right'],value=1}]",
+                                        "support[0].in_plane=\"fixed\"", "output.probes={middle=[0,0.5]}"};
+  CHECK(lack(with_factors, {"N1", 1}, pulled) == "");
+  CHECK(lack(with_factors, {"u", {}, "middle"}, pulled) == "");
+  CHECK(lack(with_factors, {"N1", 1}) == "the case has no loads in the plane");
+  CHECK(lack(with_factors, {"v", {}, "middle"}) == "the case has no loads in the plane");
+}
+
 TEST_CASE("lacking: frequencies, peaks and growth are of their analyses") {
   const std::vector<std::string> modes{"analysis={kind=\"frequencies\"}", "section.density=1", "-load"};
   CHECK(lack(plain, {"frequency"}, modes) == "");

@@ -52,6 +52,29 @@ TEST_CASE("a results folder is compared in every quantity that the reference kno
   CHECK_THAT(text, Catch::Contains("F1_paper_LS") && Catch::Contains("10.000 %"));
 }
 
+TEST_CASE("factors in the plane and displacements there are compared where a run has them") {
+  const TemporaryFolder folder;
+  Table probes{{"time", "probe", "x", "y", "w", "u", "v"}, {}}, reference{{"t", "u", "N1", "N2_exact"}, {}};
+  Table srifs{{"time", "tip", "x", "y", "method", "K1", "N1", "N2"}, {}};
+  for (const double t : {0.0, 1.0, 2.0}) {
+    probes.rows.push_back({t, "tip", 0.1, 0.0, t, 1.1 * t, 3 * t});
+    srifs.rows.push_back({t, 0.0, 0.1, 0.0, "first", t, 2 * t, 5 * t});
+    reference.rows.push_back({t, t, 2 * t, 4 * t});
+  }
+  post::write_csv(folder / "probes.csv", probes);
+  post::write_csv(folder / "srif.csv", srifs);
+  post::write_csv(folder / "reference.csv", reference);
+  const auto rows = compare(folder.path(), folder / "reference.csv");
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0].quantity == "u");
+  CHECK(rows[0].comparison.relative_rms == Approx(0.1));
+  CHECK(rows[1].quantity == "N1");
+  CHECK(rows[1].comparison.relative_rms == Approx(0).margin(1e-12));
+  CHECK(rows[2].reference == "N2_exact");
+  CHECK(rows[2].comparison.relative_rms == Approx(0.25));
+  CHECK(cases::plot(rows, "title", true).panels.size() == 3);
+}
+
 TEST_CASE("tolerances are held against every quantity, by measure or all") {
   const TemporaryFolder folder;
   write_results(folder);

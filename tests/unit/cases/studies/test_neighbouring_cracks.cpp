@@ -26,3 +26,21 @@ TEST_CASE("neighbouring cracks: one that is too short to be shortened is refused
   const auto c = read(plain, {"geometry.cracks=[[[-0.05,0],[0.05,0]]]"}).content;
   CHECK_THROWS_AS(cases::energy_check(c, c.analysis), plate::Refused);
 }
+
+TEST_CASE("neighbouring cracks: their energies in the plane give N where loads act there") {
+  const auto c =
+      read(plain + "[srif]\nmethods = [\"domain_integral\"]\n",
+           {"discretization.spacing=0.05", "support[0].in_plane=\"fixed\"", "geometry.cracks=[[[0.0,-0.3],[0.0,0.3]]]",
+            "load=[{kind='edge_traction',edges=['right'],value=1}]"})
+          .content;
+  const auto table = cases::energy_check(c, c.analysis);
+  const auto membrane = plate::discretise(c).membrane;
+  const auto state = plate::static_solution(*membrane, c.analysis, {1e-8, 10000, {}}).solution.state;
+  const auto factors = post::srifs(*membrane, *c.srif, post::tip_methods(*membrane, *c.srif), state);
+  REQUIRE(table.rows.size() == 2);
+  for (std::size_t tip = 0; tip < 2; ++tip) {
+    CHECK(std::get<double>(table.rows[tip][table.column("K")]) == 0);
+    const double N = std::get<double>(table.rows[tip][table.column("N")]);
+    CHECK(N == Approx(std::hypot(factors[tip].K1, factors[tip].K2)).epsilon(0.2));
+  }
+}

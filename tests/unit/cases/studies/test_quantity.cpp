@@ -57,3 +57,22 @@ TEST_CASE("every quantity has a description and a kind of place") {
   CHECK(post::si_unit("F1").empty());
   CHECK(post::si_unit("w") == "m");
 }
+
+TEST_CASE("factors in the plane and displacements u and v are quantities of runs that have them") {
+  FinishedRun run;
+  CHECK_FALSE(run.value({"N1", 0}));
+  CHECK_FALSE(post::estimated_error({"N1", 0}, run.summary));
+  CHECK(post::history({"N1", 0}, run.folder.path()).t.empty());
+  CHECK_FALSE(run.value({"u", {}, "7"}));
+  run.summary.srif[0].membrane = post::MembraneFactors{{3, 4}, {0.5, {}}, {true, false}, {}};
+  CHECK(run.value({"N1", 0}) == 3.0);
+  CHECK(post::estimated_error({"N1", 0}, run.summary) == 0.5);
+  CHECK_FALSE(run.value({"N2", 0}));  // not resolved
+  CHECK_FALSE(run.value({"N1", 1}));
+  post::Table srifs;
+  post::append(srifs, 0, run.summary.srif);
+  post::write_csv(run.folder / "srif.csv", srifs);
+  CHECK(post::history({"N1", 0}, run.folder.path()).y == std::vector<double>{3});
+  post::write_csv(run.folder / "probes.csv", {{"time", "probe", "w", "u", "v"}, {{0.0, "7", 1.0, 2.0, 5.0}}});
+  CHECK(run.value({"v", {}, "7"}) == 5.0);
+}

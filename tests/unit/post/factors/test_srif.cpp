@@ -34,6 +34,19 @@ TEST_CASE("srif: coarser results make errors larger, never smaller") {
   CHECK_FALSE(zero.estimated_error);  // of nothing there is no share
 }
 
+TEST_CASE("srif: coarser results make errors in the plane larger, and leave nothing of a factor beyond a tenth") {
+  auto srif = with(0, 0, 0), coarser = with(0, 0, 0);  // of tension alone
+  srif.membrane = MembraneFactors{{10, 2}, {0.5, {}}, {true, true}, {}};
+  widen(srif, coarser, h);
+  CHECK(*srif.membrane->errors[0] == 0.5);  // coarser points have no such factors
+  coarser.membrane = MembraneFactors{{9.2, 0.5}, {}, {true, true}, {}};
+  widen(srif, coarser, h);
+  CHECK(*srif.membrane->errors[0] == Approx(0.8));
+  CHECK(*srif.membrane->errors[1] == Approx(1.5));
+  CHECK(srif.membrane->resolved == std::array{true, false});
+  CHECK_FALSE(srif.estimated_error);
+}
+
 TEST_CASE("srif: what is added to errors is added once to each that is known") {
   auto srif = with(10, 0, 2);
   srif.errors = {0.5, {}, 1.0};

@@ -58,6 +58,43 @@ TEST_CASE("a run comes back from state.h5") {
   CHECK(run.states[1] == second.state);
 }
 
+TEST_CASE(
+    "state.h5 keeps the displacements and forces in the plane where they are asked for, of a run that went on, too") {
+  const TemporaryFolder folder;
+  const auto frame = [](double time) {
+    auto result = small_run::frame(time, std::size_t(time));
+    auto& fields = result.in_plane.emplace();
+    fields.displacement = (2 + time) * result.state.topRows<2>(), fields.force = (3 + time) * result.state;
+    return result;
+  };
+  const auto bent = small_run::frame(0, 0);
+  {
+    post::StateFile file({.path = folder / "state.h5", .resolved_case = "", .version = "1", .in_plane = true},
+                         small_run::mesh());
+    file.write(frame(0), nullptr);
+    file.part();
+    file.write(frame(1), nullptr);
+    CHECK_THROWS_WITH(file.write(bent, nullptr), Catch::Contains("the fields in the plane do not fit"));
+    file.close();
+  }
+  const auto run = post::read_run(folder / "state.h5");
+  REQUIRE(run.displacements.size() == 2);
+  for (const std::size_t i : {0, 1}) CHECK(run.displacements[i] == frame(double(i)).in_plane->displacement);
+  const Look look(folder / "state.h5");
+  const auto forces = look.numbers("/frames/membrane_forces");
+  REQUIRE(forces.size() == 2 * 6 * 3);
+  CHECK(forces[3 * (6 + 4) + 2] == frame(1).in_plane->force(2, 4));
+  CHECK(look.text_attribute("/frames/displacement", "unit") == "length");
+  CHECK(look.text_attribute("/frames/membrane_forces", "unit") == "force/length");
+
+  post::StateFile file({.path = folder / "bent.h5", .resolved_case = "", .version = "1"}, small_run::mesh());
+  file.write(bent, nullptr);
+  file.close();
+  CHECK(post::read_run(folder / "bent.h5").displacements.empty());
+  const auto names = Look(folder / "bent.h5").datasets();
+  CHECK(std::ranges::find(names, "frames/displacement") == names.end());
+}
+
 TEST_CASE("state.h5 explains itself") {
   const TemporaryFolder folder;
   const post::Frame frame = small_run::frame(0.5, 10);
