@@ -244,7 +244,8 @@ void LoadCases::finish() {
   const auto& section = plate_.section();
   auto& recorder = outputs_.recorder();
   auto& summary = this->summary();
-  summary.envelope = post::envelope(found_);
+  summary.envelope =
+      post::envelope(found_, section, content().srif ? content().srif->toughness : std::optional<double>());
   if (content().srif) {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
     const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
