@@ -178,8 +178,6 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, motion, "analysis.kind", in_plane_at_rest},
     {load_in_plane, harmonic, "analysis.kind", in_plane_at_rest},
     {load_in_plane, growth, "growth", "loads in the plane do not drive the growth of cracks yet: remove one of them"},
-    {load_in_plane, load_cases, "case",
-     "load cases have no loads in the plane yet: give these a case file of their own"},
     {load_in_plane, factors_to_accuracy, "srif.accuracy", of_bending},
     {load_in_plane, second_formulation, "srif.second_formulation", of_bending},
     {large_deflections, settlement, settlements,

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "cases/runs/analyses.hpp"
+#include "cases/runs/membrane.hpp"
 #include "cases/runs/outputs.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -28,18 +29,30 @@
 namespace cases {
 namespace {
 
+/// Loads of a load case or combination in the plane, and the state. `acts`: there are any, and they do not cancel.
+struct InPlaneState {
+  plate::Forces load;
+  plate::State state;
+  bool acts = false;
+  double residual = 0;  // relative; of a combination at most this
+};
+
 /// Loads of a load case or combination, and the state.
 struct LoadCaseState {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
   plate::Heat heat;
   plate::State strained = plate::no_state();  // plate::StaticResult
+  std::optional<InPlaneState> in_plane = {};  // where loads of any load case act there
 
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
 
-double folded_norm(const plate::Formulation& plate, const LoadCaseState& one) {
-  auto pull = plate::PrescribedDisplacements(plate, one.load, one.lift).pull();
+/// Sums of forces below this share of the largest part are rounding.
+constexpr double rounding = 1e-12;
+
+double folded_norm(const plate::Formulation& plate, const plate::Forces& load, const plate::State& lift) {
+  auto pull = plate::PrescribedDisplacements(plate, load, lift).pull();
   plate.constraints().fold(pull);
   const auto [squared] = plate::ordered_sum<1>(plate, std::size_t(pull.size()), [&](std::size_t i) {
     return std::array<double, 1>{pull.data()[i] * pull.data()[i]};
@@ -47,9 +60,35 @@ double folded_norm(const plate::Formulation& plate, const LoadCaseState& one) {
   return std::sqrt(squared);
 }
 
+/// Nodal forces of all loads of a load case; zero where they cancel.
+plate::Forces forces_of_case(const plate::Formulation& plate, std::size_t which) {
+  plate::Forces result = plate::zero_forces(plate.points());
+  std::vector<plate::Forces> acting;
+  for (const auto k : plate::loads_of(plate.problem(), which)) result += acting.emplace_back(plate.loads()[k].forces);
+  if (plate::cancel(plate, acting)) result.setZero();
+  return result;
+}
+
 double largest_deflection(const post::LoadCaseSummary& one) {
   const auto found = std::ranges::find(one.extremes, "w", &post::Peak::quantity);
   return found == one.extremes.end() ? 0 : std::abs(found->value);
+}
+
+/// A part of a combination: its factor, and the intensity factors of the load case.
+using CombinedPart = std::pair<double, const std::vector<post::Srif>*>;
+
+/// Raises the largest factor of every tip [tips] to those of a row.
+void take(std::vector<double>& largest, const std::vector<post::Srif>& row, double thickness) {
+  for (const auto& srif : row) largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, thickness));
+}
+
+/// The factors without those of tips that a load case hardly loads. `largest`: factor of every tip in all load cases.
+std::vector<post::Srif> of_loaded_tips(std::vector<post::Srif> row, const std::vector<double>& largest,
+                                       double thickness) {
+  constexpr double hardly = 1e-3;
+  std::erase_if(
+      row, [&](const post::Srif& srif) { return post::largest_factor(srif, thickness) < hardly * largest[srif.tip]; });
+  return row;
 }
 
 /// Load cases and combinations as they are found.
@@ -62,23 +101,30 @@ public:
 
 private:
   void look(post::LoadCaseSummary one, const LoadCaseState& now, std::size_t step);
+  void react(post::LoadCaseSummary& one, double number, const plate::State& strained, const plate::Forces& load);
+  MembraneResult look_in_plane(const post::LoadCaseSummary& one, const InPlaneState& now);
   LoadCaseState loaded(std::size_t which) const;
+  InPlaneState solved_in_plane(std::size_t which, plate::StaticSolver& solver) const;
   void combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
-  std::vector<std::pair<double, const std::vector<post::Srif>*>> parts_of(const post::LoadCaseSummary& combined) const;
+  InPlaneState sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
+  std::vector<CombinedPart> parts_of(const post::LoadCaseSummary& combined, bool in_plane) const;
   std::vector<std::string> warnings() const;
 
   std::vector<post::LoadCaseSummary> found_;
+  std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
   std::vector<std::string> warnings_;
 };
 
 /// Evaluates and records a state in equilibrium under a load.
 void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std::size_t step) {
-  const auto& [load, lift, state, heat, less] = known;
+  const auto& [load, lift, state, heat, less, stretched] = known;
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
   post::require_finite(state, when, plate_);
+  std::optional<MembraneResult> in_plane;
+  if (stretched) in_plane = look_in_plane(one, *stretched), one.membrane = in_plane->summary;
   const plate::PrescribedDisplacements prescribed(plate_, load, lift);
   const double work = post::slow_work(plate_, load, state) + prescribed.work(strained);
   const double strain = plate_.strain_energy(strained), heated = plate::stored(plate_, heat, state);
@@ -86,74 +132,108 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain - 2 * work;
+  if (in_plane) row.in_plane = &in_plane->fields.displacement;
   outputs_.row(row, plate_);
-  post::ReactionRows reactions;
-  reactions.add(number, plate_, plate_, strained, load);
-  if (!reactions.empty()) {
-    auto table = reactions.table();
-    reactions_.columns = table.columns;
-    std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
-    one.reactions = reactions.summary();
-  }
+  react(one, number, strained, load);
   if (content().srif)
     one.srif =
         fracture::of_all(plate_, post::srifs(plate_, *content().srif, ready_.tip_methods, strained, true, &heat));
   ready_.other_factors.widen_row(found_.size(), one.srif, plate_.section().thickness);
-  if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one), plate_.section().thickness);
+  if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one, false), plate_.section().thickness);
+  if (in_plane) post::add_membrane(one.srif, in_plane->factors, plate_.section());
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
   for (const auto& srif : one.srif)
     one.faces.push_back(post::at_faces(srif, plate_.section(), content().srif->toughness));
   post::Extremes extremes(plate_);
   extremes.row(now);
-  if (outputs_.takes_frames()) {
+  if (outputs_.takes_frames() || in_plane) {
     auto frame = post::frame_of(plate_, number, step, strained, true, &heat);
     if (less.cols() > 0) frame.state = state.leftCols(frame.state.cols());
+    if (in_plane) add_in_plane(frame, plate_, *ready_.membrane, *in_plane);
     extremes.frame(number, frame.resultants);
-    outputs_.frame(plate_, std::move(frame));
+    if (outputs_.takes_frames()) outputs_.frame(plate_, std::move(frame));
   }
   one.extremes = fracture::of_all(plate_, extremes.found(&heat));
   found_.push_back(std::move(one));
   const bool rests = !found_.back().of.empty() && post::is_zero(state, plate_);  // a combination that cancels
-  if (!rests && !post::moves(state, work, plate_))
+  const bool stretches = stretched && stretched->acts;
+  if (!rests && !stretches && !post::moves(state, work, plate_))
     post::require_motion(plate_, {prescribed.pull()}, state, work, warnings_);
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({strain + post::energy_about(plate_, lift), strain, work}, when);
 }
 
-std::vector<std::pair<double, const std::vector<post::Srif>*>> LoadCases::parts_of(
-    const post::LoadCaseSummary& combined) const {
-  std::vector<std::pair<double, const std::vector<post::Srif>*>> parts;
-  for (const auto& [name, factor] : combined.of)
-    parts.emplace_back(factor, &std::ranges::find(found_, name, &post::LoadCaseSummary::name)->srif);
+/// Adds the reactions to a load.
+void LoadCases::react(post::LoadCaseSummary& one, double number, const plate::State& strained,
+                      const plate::Forces& load) {
+  post::ReactionRows reactions;
+  reactions.add(number, plate_, plate_, strained, load);
+  if (reactions.empty()) return;
+  auto table = reactions.table();
+  reactions_.columns = table.columns;
+  std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
+  one.reactions = reactions.summary();
+}
+
+/// Evaluates a state in the plane, which is zero in a load case without loads there.
+MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const InPlaneState& now) {
+  const auto& membrane = *ready_.membrane;
+  const auto where = fmt::format("in the plane, {}", one.name);
+  auto result = membrane_results(membrane, now.state, now.load, {content().srif, ready_.membrane_methods}, where);
+  if (!one.of.empty()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
+  factors_in_plane_.push_back(result.factors);
+  result.summary.residual = now.residual;
+  std::vector<std::string> warnings;
+  if (const double work = result.summary.external_work; now.acts && !post::moves(now.state, work, membrane))
+    post::require_motion(membrane, {now.load}, now.state, work, warnings);
+  for (const auto& text : warnings) warnings_.push_back(fmt::format("load case {}: in the plane, {}", one.name, text));
+  require_balance(result.summary, where);
+  return result;
+}
+
+/// The load cases of a combination, with their factors of bending or in the plane.
+std::vector<CombinedPart> LoadCases::parts_of(const post::LoadCaseSummary& combined, bool in_plane) const {
+  std::vector<CombinedPart> parts;
+  for (const auto& [name, factor] : combined.of) {
+    const auto which = std::size_t(std::ranges::find(found_, name, &post::LoadCaseSummary::name) - found_.begin());
+    parts.emplace_back(factor, in_plane ? &factors_in_plane_[which] : &found_[which].srif);
+  }
   return parts;
 }
 
 /// Warnings of all load cases: of those that say the same of the same place, that of the first load case; none of tips
 /// that it hardly loads.
 std::vector<std::string> LoadCases::warnings() const {
-  constexpr double close = 0.01, hardly = 1e-3;
+  constexpr double close = 0.01;
   const double h = plate_.section().thickness;
-  std::vector<double> largest(plate_.tips().size(), 0);
-  for (const auto& one : found_)
-    for (const auto& srif : one.srif) largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, h));
+  std::vector<double> bent(plate_.tips().size(), 0), stretched = bent;  // largest factors
+  for (const auto& one : found_) take(bent, one.srif, h);
+  for (const auto& row : factors_in_plane_) take(stretched, row, h);
   std::vector<std::string> result;
   std::set<std::string> warned;  // what about
-  for (const auto& one : found_) {
+  const auto tell = [&](const std::string& name, const std::string& before, const std::vector<std::string>& said) {
+    for (const auto& text : said)
+      if (warned.insert(before + text.substr(0, text.find_first_of("0123456789", text.find(": ")))).second)
+        result.push_back(fmt::format("load case {}: {}{}", name, before, text));
+  };
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const auto& one = found_[i];
     post::Summary alone;
     alone.srif = one.srif, alone.faces = one.faces;
     auto said = post::tips_that_grow(alone);
-    std::erase_if(alone.srif,
-                  [&](const post::Srif& srif) { return post::largest_factor(srif, h) < hardly * largest[srif.tip]; });
-    for (auto& text : post::warnings_about_factors(alone.srif, {}, h, plate_.remedy())) said.push_back(std::move(text));
+    const auto bending = of_loaded_tips(one.srif, bent, h);
+    for (auto& text : post::warnings_about_factors(bending, {}, h, plate_.remedy())) said.push_back(std::move(text));
     for (auto& text : post::sinking_supports(one.reactions, plate_.problem(), largest_deflection(one)))
       said.push_back(std::move(text));
     if (one.reactions && one.reactions->largest_residual > close)
       said.push_back(
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
-    for (const auto& text : said)
-      if (warned.insert(text.substr(0, text.find_first_of("0123456789", text.find(": ")))).second)
-        result.push_back(fmt::format("load case {}: {}", one.name, text));
+    tell(one.name, "", said);
+    if (!ready_.membrane) continue;
+    tell(one.name, "", warnings_about_overlaps(one.srif));
+    const auto in_plane = of_loaded_tips(factors_in_plane_[i], stretched, h);
+    tell(one.name, factors_in_plane, post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy()));
   }
   return result;
 }
@@ -164,6 +244,8 @@ void LoadCases::solve() {
   const auto& analysis = content().analysis;
   post::Progress progress(quiet(), "load cases");
   plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
+  std::optional<plate::StaticSolver> in_plane;
+  if (ready_.membrane) in_plane.emplace(*ready_.membrane, analysis.static_method(), analysis.preconditioner);
   std::vector<LoadCaseState> cases;
   plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
   all.converged = true;
@@ -184,6 +266,7 @@ void LoadCases::solve() {
       throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
                                               solution.stop_reason, solution.residual, analysis.tolerance));
     now.state = std::move(solution.state), now.strained = std::move(result.strained);
+    if (in_plane) now.in_plane = solved_in_plane(i, *in_plane), stopwatch().lap("solve");
     look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
     stopwatch().lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
@@ -198,23 +281,58 @@ void LoadCases::solve() {
 }
 
 LoadCaseState LoadCases::loaded(std::size_t which) const {
-  LoadCaseState result{plate::zero_forces(plate_.points()), plate::no_state(), {}, {}};
+  LoadCaseState result{forces_of_case(plate_, which), plate::no_state(), {}, {}};
   std::vector<double> shares(plate_.loads().size(), 0);
-  std::vector<plate::Forces> acting;
   for (const auto k : plate::loads_of(plate_.problem(), which)) {
     const auto& one = plate_.loads()[k];
     shares[k] = 1;
-    result.load += acting.emplace_back(one.forces);
     if (one.lifts()) result.lift = result.lift.cols() > 0 ? plate::State(result.lift + one.lift) : one.lift;
   }
-  if (plate::cancel(plate_, acting)) result.load.setZero();
   result.heat = plate::heat_of(plate_, shares);
   return result;
 }
 
+/// Solves the plate in its plane under the loads of a load case; without any it rests.
+InPlaneState LoadCases::solved_in_plane(std::size_t which, plate::StaticSolver& solver) const {
+  const auto& membrane = *ready_.membrane;
+  const auto& problem = plate_.problem();
+  const auto& analysis = content().analysis;
+  InPlaneState result{forces_of_case(membrane, which), plate::zero_state(membrane.points())};
+  result.acts =
+      std::ranges::any_of(plate::loads_of(problem, which), [&](std::size_t k) { return problem.loads[k].in_plane(); });
+  if (!result.acts) return result;
+  auto solution =
+      solver(result.load, {analysis.tolerance, analysis.max_iterations, {}}, which + 1 < problem.load_cases.size())
+          .solution;
+  require_equilibrium(membrane, solution, analysis.tolerance,
+                      fmt::format("in the plane, {}", problem.load_cases[which].name));
+  result.state = std::move(solution.state), result.residual = solution.residual;
+  return result;
+}
+
+/// Sum of the states in the plane; at rest where its loads there cancel to rounding.
+InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
+  const auto& membrane = *ready_.membrane;
+  const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
+  const InPlaneState rest{plate::zero_forces(membrane.points()), plate::zero_state(membrane.points())};
+  auto sum = rest;
+  double largest = 0;  // of the parts
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const auto& part = *cases[i].in_plane;
+    sum.state += factors[i] * part.state, sum.load += factors[i] * part.load;
+    sum.acts = sum.acts || (factors[i] != 0 && part.acts);
+    const double size = std::abs(factors[i]) * folded_norm(membrane, part.load, plate::no_state());
+    largest = std::max(largest, size), sum.residual += size * part.residual;
+  }
+  const double size = folded_norm(membrane, sum.load, plate::no_state());
+  if (size > 0) sum.residual /= size;
+  if (largest == 0 || size > rounding * largest) return sum;
+  warnings_.push_back(fmt::format("combination {}: its loads in the plane cancel", combination.name));
+  return rest;
+}
+
 /// `cases`: the load cases. A combination whose loads cancel to rounding is the plate at rest.
 void LoadCases::combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
-  constexpr double rounding = 1e-12;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const auto zero = plate::zero_state(plate_.points());
   const plate::State of_supports = plate::has_prescribed_displacements(plate_) ? zero : plate::no_state();
@@ -224,15 +342,21 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
     sum.state += factors[i] * cases[i].state, sum.load += factors[i] * cases[i].load;
     if (plate::has_prescribed_displacements(plate_)) sum.strained += factors[i] * cases[i].what_strains();
     if (cases[i].lift.cols() > 0) sum.lift += factors[i] * cases[i].lift;
-    const double part = std::abs(factors[i]) * folded_norm(plate_, cases[i]);
+    const double part = std::abs(factors[i]) * folded_norm(plate_, cases[i].load, cases[i].lift);
     largest = std::max(largest, part), residual += part * found_[i].residual.value_or(0);
   }
-  const double size = folded_norm(plate_, sum);
+  const double size = folded_norm(plate_, sum.load, sum.lift);
   const bool cancels = size <= rounding * largest;
+  std::optional<InPlaneState> in_plane;
+  if (ready_.membrane) in_plane = sum_in_plane(combination, cases);
   if (cancels) {
     sum = {zero, plate::no_state(), zero, {}};
-    warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
+    if (!in_plane || !in_plane->acts)
+      warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
+    else if (largest > 0)
+      warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
+  sum.in_plane = std::move(in_plane);
   std::vector<double> shares(plate_.loads().size(), 0);
   for (std::size_t i = 0; i < factors.size(); ++i)
     for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
@@ -244,12 +368,13 @@ void LoadCases::finish() {
   const auto& section = plate_.section();
   auto& recorder = outputs_.recorder();
   auto& summary = this->summary();
-  summary.envelope = post::envelope(found_);
+  summary.envelope =
+      post::envelope(found_, section, content().srif ? content().srif->toughness : std::optional<double>());
   if (content().srif) {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
     const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
-    for (auto& line : post::warnings_about_faces(post::face_overlaps(srifs_), section, crack, named))
-      warnings_.push_back(std::move(line));
+    const auto overlaps = ready_.membrane ? std::vector<post::FaceOverlaps>() : post::face_overlaps(srifs_);
+    for (auto& line : post::warnings_about_faces(overlaps, section, crack, named)) warnings_.push_back(std::move(line));
     post::name_cases(srifs_, found_);
     recorder.table("srif", std::move(srifs_));
     recorder.table("envelope", post::envelope_table(summary.envelope));
@@ -263,6 +388,8 @@ void LoadCases::finish() {
   summary.load_cases = std::move(found_);
   post::conclude(summary, {section, content().srif, content().si(), recorder.history(), {}, {}});
   outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
+  for (const auto& line : post::left_out(plate_.tips(), ready_.membrane_methods))
+    outputs_.warn({factors_in_plane + line});
   outputs_.warn(said);
   outputs_.warn(warnings_);
 }

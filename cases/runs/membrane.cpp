@@ -33,9 +33,10 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 }  // namespace
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
-                                const plate::Forces& load, const MembraneFactorsWanted& wanted) {
+                                const plate::Forces& load, const MembraneFactorsWanted& wanted,
+                                const std::string& where) {
   const auto& [options, methods] = wanted;
-  post::require_finite(state, "in equilibrium in the plane", membrane);
+  post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
   result.forces = membrane.resultants(state);
@@ -47,8 +48,8 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
     for (const auto& some :
          {post::left_out(membrane.tips(), methods),
           post::warnings_about_factors(result.factors, {}, membrane.section().thickness, membrane.remedy())})
-      for (const auto& line : some) result.warnings.push_back("in the plane, N1 and N2 as K1 and K2: " + line);
-    post::require_finite(result.factors, "in the plane");
+      for (const auto& line : some) result.warnings.push_back(factors_in_plane + line);
+    post::require_finite(result.factors, where);
   }
   auto& summary = result.summary;
   summary.strain_energy = membrane.strain_energy(state);
@@ -58,22 +59,50 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   return result;
 }
 
+void require_equilibrium(const plate::Formulation& membrane, const plate::StaticSolution& solution, double tolerance,
+                         const std::string& where) {
+  post::require_finite(solution.state, "in equilibrium " + where, membrane);
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", where,
+                                            solution.stop_reason, solution.residual, tolerance));
+}
+
+void require_balance(const post::MembraneSummary& summary, const std::string& where) {
+  post::EnergyBalance(post::EnergyBalance::Plate::rests)
+      .check({summary.strain_energy, summary.strain_energy, summary.external_work}, "in equilibrium " + where);
+}
+
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
                                 const MembraneFactorsWanted& wanted) {
+  const std::string where = "in the plane";
   const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
   const auto& solution = found.solution;
-  post::require_finite(solution.state, "in equilibrium in the plane", membrane);
-  if (!solution.converged)
-    throw plate::NumericalError(fmt::format("in the plane: {}, residual {:.2e} above tolerance {:.1e}",
-                                            solution.stop_reason, solution.residual, analysis.tolerance));
-  auto result = membrane_results(membrane, solution.state, membrane.total_load(), wanted);
+  require_equilibrium(membrane, solution, analysis.tolerance, where);
+  auto result = membrane_results(membrane, solution.state, membrane.total_load(), wanted, where);
   auto& summary = result.summary;
   summary.residual = solution.residual;
   summary.external_work = post::slow_work(membrane, found);
   if (!post::moves(solution.state, summary.external_work, membrane))
     post::require_motion(membrane, post::forces_of(membrane), solution.state, summary.external_work, result.warnings);
-  post::EnergyBalance(post::EnergyBalance::Plate::rests)
-      .check({summary.strain_energy, summary.strain_energy, summary.external_work}, "in equilibrium in the plane");
+  require_balance(summary, where);
+  return result;
+}
+
+void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,
+                  const MembraneResult& result) {
+  frame.resultants.von_mises = plate::von_mises(frame.resultants, plate.sections(), result.forces, membrane.sections());
+  frame.in_plane = result.fields;
+}
+
+std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs) {
+  std::vector<std::string> result;
+  for (const auto* one : post::recommended(srifs)) {
+    const auto where = post::overlap(*one);
+    if (where != post::Overlap::above && where != post::Overlap::both) continue;
+    result.push_back(fmt::format(
+        "tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}, as contact is not modelled", one->tip,
+        one->position.x(), one->position.y(), where == post::Overlap::both ? "all over the thickness" : "at z > 0"));
+  }
   return result;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "post/factors/tip_methods.hpp"
@@ -8,6 +9,7 @@
 namespace plate {
 class Formulation;
 struct Analysis;
+struct StaticSolution;
 }  // namespace plate
 
 namespace cases {
@@ -32,9 +34,30 @@ struct MembraneFactorsWanted {
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
                                 const MembraneFactorsWanted& wanted);
 
-/// Results of a plate in its plane in a state of equilibrium under a load.
+/// Results of a plate in its plane in a state of equilibrium under a load. `where`: in messages.
 /// @throws plate::NumericalError  a number is not finite
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
-                                const plate::Forces& load, const MembraneFactorsWanted& wanted);
+                                const plate::Forces& load, const MembraneFactorsWanted& wanted,
+                                const std::string& where = "in the plane");
+
+/// Checks a solution of a plate in its plane.
+/// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite
+void require_equilibrium(const plate::Formulation& membrane, const plate::StaticSolution& solution, double tolerance,
+                         const std::string& where);
+
+/// Checks the energy of a plate in its plane at rest.
+/// @throws plate::NumericalError  it is not the work of the loads
+void require_balance(const post::MembraneSummary& summary, const std::string& where);
+
+/// Adds the fields of a plate in its plane to a frame of its bending; the von Mises stress becomes that of the worse
+/// face under both.
+void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,
+                  const MembraneResult& result);
+
+/// Words before warnings of post about factors of a plate in its plane.
+inline constexpr const char* factors_in_plane = "in the plane, N1 and N2 as K1 and K2: ";
+
+/// Warnings about tips at which the faces of the crack overlap at z > 0, by bending and membrane forces together.
+std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs);
 
 }  // namespace cases

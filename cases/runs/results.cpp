@@ -86,11 +86,7 @@ void Results::frame(const plate::Instant& now) {
   const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
   auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), !growth_, &heat);
   if (now.rest) frame.state = now.state.leftCols(frame.state.cols());
-  if (in_plane_) {
-    frame.resultants.von_mises =
-        plate::von_mises(frame.resultants, plate_.sections(), in_plane_->forces, membrane_->sections());
-    frame.in_plane = in_plane_->fields;
-  }
+  if (in_plane_) add_in_plane(frame, plate_, *membrane_, *in_plane_);
   std::optional<plate::Mesh> mesh;
   if (growth_) {
     auto drawn = growth_->draw(frame, now.state, factors_.last());
@@ -168,19 +164,6 @@ std::vector<std::string> doubts_in_plane(const std::vector<post::Srif>& srifs, c
 
 }  // namespace
 
-/// Factors of loads in the plane that are not resolved or doubtful, and faces that overlap with them.
-void Results::warn_in_plane() {
-  outputs_.warn(in_plane_->warnings);
-  outputs_.warn(doubts_in_plane(outputs_.summary().srif, in_plane_->factors, membrane_->remedy()));
-  for (const auto* one : post::recommended(outputs_.summary().srif)) {
-    const auto where = post::overlap(*one);
-    if (where != post::Overlap::above && where != post::Overlap::both) continue;
-    outputs_.warn({fmt::format("tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}, as contact is not modelled",
-                               one->tip, one->position.x(), one->position.y(),
-                               where == post::Overlap::both ? "all over the thickness" : "at z > 0")});
-  }
-}
-
 void Results::finish() {
   const auto& section = content().section;
   auto& recorder = outputs_.recorder();
@@ -215,7 +198,9 @@ void Results::finish() {
                                        section.thickness * summary.deflection_over_thickness.value_or(0)));
   if (in_plane_) {
     overlaps.clear();
-    warn_in_plane();
+    outputs_.warn(in_plane_->warnings);
+    outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
+    outputs_.warn(warnings_about_overlaps(summary.srif));
   }
   outputs_.warn(post::warnings_about_faces(overlaps, section,
                                            growth_ ? std::function<std::size_t(std::size_t)>() : crack,

@@ -61,7 +61,6 @@ private:
   void memory(Archive& archive);
   post::Cracks finish_growth();
   std::string remedy() const;
-  void warn_in_plane();
 
   Outputs& outputs_;
   const plate::Formulation& plate_;

@@ -59,6 +59,12 @@ bool of_opening(SrifMethod method) {
   return method == SrifMethod::displacement_extrapolation || method == SrifMethod::opening_series;
 }
 
+Srif as_resolved(Srif srif) {
+  srif.resolved.fill(true);
+  if (srif.membrane) srif.membrane->resolved.fill(true);
+  return srif;
+}
+
 std::vector<const Srif*> recommended(const std::vector<Srif>& srifs) {
   std::vector<const Srif*> result;
   for (const auto& one : srifs)

@@ -107,6 +107,9 @@ struct Srif {
 /// True where a method reads the opening of the crack, false where it reads the field about the tip.
 bool of_opening(SrifMethod method);
 
+/// Factors with those that are not resolved as they were found.
+Srif as_resolved(Srif srif);
+
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);
 

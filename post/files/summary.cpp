@@ -254,6 +254,7 @@ Json json_of(const LoadCaseSummary& one) {
   json["extremes"] = json_of(one.extremes, false);
   if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
   json["energy"] = {{"strain", one.strain_energy}, {"external_work", one.external_work}};
+  if (one.membrane) json["membrane"] = json_of(*one.membrane);
   return json;
 }
 

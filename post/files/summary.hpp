@@ -96,6 +96,18 @@ struct FaceOverlaps {
   std::optional<double> first_above = {}, first_change = {}, least = {};  // times; the least K1 where it is negative
 };
 
+/// Summary of a plate in its plane.
+struct MembraneSummary {
+  struct Reaction {
+    std::string name;       // of the support
+    geometry::Point force;  // on the plate [force]
+  };
+  double strain_energy = 0, external_work = 0;
+  double residual = 0;              // of the equilibrium, relative
+  double largest_displacement = 0;  // sqrt(u^2 + v^2) of any point [length]
+  std::vector<Reaction> reactions;
+};
+
 /// Load case, or a combination of some.
 struct LoadCaseSummary {
   std::string name;
@@ -107,9 +119,11 @@ struct LoadCaseSummary {
   std::vector<Peak> extremes = {};
   std::optional<ReactionSummary> reactions = {};
   double strain_energy = 0, external_work = 0;
+  std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
 };
 
-/// The largest of all load cases and combinations: K1, K2, K3 or G of a tip, and which of them gives it.
+/// The largest of all load cases and combinations: K1, K2, K3, G, N1, N2 or the utilisation of a tip, and which of them
+/// gives it.
 struct EnvelopeEntry {
   std::size_t tip;
   geometry::Point position;
@@ -137,18 +151,6 @@ struct GrowthSummary {
   std::optional<std::size_t> broken_bonds;             // where bonds break one by one
   std::vector<double> lengths;                         // of every crack at the end [length]
   std::optional<double> first_load_factor_error = {};  // estimated, of tips
-};
-
-/// Summary of a plate in its plane.
-struct MembraneSummary {
-  struct Reaction {
-    std::string name;       // of the support
-    geometry::Point force;  // on the plate [force]
-  };
-  double strain_energy = 0, external_work = 0;
-  double residual = 0;              // of the equilibrium, relative
-  double largest_displacement = 0;  // sqrt(u^2 + v^2) of any point [length]
-  std::vector<Reaction> reactions;
 };
 
 /// Summary of the search for the discretisation.

@@ -36,11 +36,6 @@ void miss(std::map<Key, double>& missed, std::size_t tip, std::size_t quantity, 
   most = std::max(most, value);
 }
 
-Srif as_resolved(Srif srif) {
-  srif.resolved.fill(true);
-  return srif;
-}
-
 }  // namespace
 
 std::vector<Peak> peaks(const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows,

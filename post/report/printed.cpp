@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "post/files/processes.hpp"
 #include "post/files/summary.hpp"
@@ -119,22 +120,27 @@ void factors(Text out, const std::vector<Srif>& srifs, bool si, double thickness
                      100 * second->difference);
 }
 
+/// Factors in the plane as they are printed: "tip N1 N2 error".
+std::string in_plane_text(const Srif& srif) {
+  const auto& [N, errors, resolved, G, thickness] = *srif.membrane;
+  const double size = std::max(std::abs(N[0]), std::abs(N[1]));
+  const auto text = [&](std::size_t i) {
+    return !resolved[i] ? "-" : std::abs(N[i]) < nothing * size ? "0" : fmt::format("{:.6g}", N[i]);
+  };
+  const double error = std::max(errors[0].value_or(0), errors[1].value_or(0));
+  return fmt::format("{:>4} {:>13} {:>13} {:>8}\n", srif.tip, text(0), text(1),
+                     size > 0 && errors[0] ? in_percent(error / size) : "");
+}
+
 /// The factors of loads in the plane, of recommended methods.
 void in_plane(Text out, const std::vector<Srif>& srifs, bool si) {
   bool first = true;
   for (const auto* one : recommended(srifs)) {
     if (!one->membrane) continue;
-    const auto& [N, errors, resolved, G, thickness] = *one->membrane;
-    const double size = std::max(std::abs(N[0]), std::abs(N[1]));
     if (std::exchange(first, false))
       fmt::format_to(out, "in the plane{}:\n{:>4} {:>13} {:>13} {:>8}\n", si ? " [N m^-1/2]" : "", "tip", "N1", "N2",
                      "error");
-    const auto text = [&](std::size_t i) {
-      return !resolved[i] ? "-" : std::abs(N[i]) < nothing * size ? "0" : fmt::format("{:.6g}", N[i]);
-    };
-    const double error = std::max(errors[0].value_or(0), errors[1].value_or(0));
-    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>8}\n", one->tip, text(0), text(1),
-                   size > 0 && errors[0] ? in_percent(error / size) : "");
+    fmt::format_to(out, "{}", in_plane_text(*one));
   }
 }
 
@@ -207,10 +213,16 @@ void accuracy(Text out, const AccuracySummary& accuracy) {
                    step.seconds, step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
 }
 
-/// Factors of every load case and combination.
-void factors_of_cases(Text out, const Summary& summary, bool si, double thickness) {
+/// Width of the column of names of load cases.
+std::size_t width_of_names(const Summary& summary) {
   std::size_t width = 4;
   for (const auto& one : summary.load_cases) width = std::max(width, one.name.size());
+  return width;
+}
+
+/// Factors of every load case and combination.
+void factors_of_cases(Text out, const Summary& summary, bool si, double thickness) {
+  const auto width = width_of_names(summary);
   fmt::format_to(out, "{:<{}} {:>4} {:>13} {:>13} {:>13} {:>8}  method\n", "case", width, "tip", "K1", "K2", "K3",
                  "error");
   if (si) fmt::format_to(out, "{:{}} {:>18} {:>13} {:>13}\n", "", width, "[N m^1/2]", "[N m^1/2]", "[N m^-1/2]");
@@ -222,18 +234,55 @@ void factors_of_cases(Text out, const Summary& summary, bool si, double thicknes
     }
 }
 
+/// Factors in the plane of every load case and combination.
+void in_plane_of_cases(Text out, const Summary& summary, bool si) {
+  const auto width = width_of_names(summary);
+  bool first = true;
+  for (const auto& one : summary.load_cases)
+    for (const auto* srif : recommended(one.srif)) {
+      if (!srif->membrane) continue;
+      if (std::exchange(first, false))
+        fmt::format_to(out, "in the plane{}:\n{:<{}} {:>4} {:>13} {:>13} {:>8}\n", si ? " [N m^-1/2]" : "", "case",
+                       width, "tip", "N1", "N2", "error");
+      fmt::format_to(out, "{:<{}} {}", one.name, width, in_plane_text(*srif));
+    }
+}
+
+/// Equivalent factors of every load case and combination, of recommended methods, over the toughness.
+void utilisations_of_cases(Text out, const Summary& summary) {
+  const auto width = width_of_names(summary);
+  bool first = true;
+  for (const auto& one : summary.load_cases)
+    for (std::size_t i = 0; i < one.faces.size(); ++i) {
+      const auto tip = one.srif[i].tip;
+      const auto& [used, error] = std::tie(one.faces[i].utilisation, one.faces[i].utilisation_error);
+      if (!used || (i > 0 && one.srif[i - 1].tip == tip)) continue;
+      if (std::exchange(first, false))
+        fmt::format_to(out, "{:<{}} {:>4} {:>13}\n", "case", width, "tip", "of toughness");
+      fmt::format_to(out, "{:<{}} {:>4} {:>13.3g}{}\n", one.name, width, tip, *used,
+                     error ? fmt::format(" +- {:.2g}", *error) : "");
+    }
+}
+
+/// True where both quantities are factors of moments, or both of membrane forces: the largest shows what is noise.
+bool alike(const EnvelopeEntry& one, const EnvelopeEntry& other) {
+  const char kind = one.quantity.front();
+  return one.tip == other.tip && kind == other.quantity.front() && (kind == 'K' || kind == 'N');
+}
+
 void largest_of_cases(Text out, const std::vector<EnvelopeEntry>& envelope, double thickness) {
   const auto size = [&](const EnvelopeEntry& one) {
     return std::max(std::abs(one.value), one.error.value_or(0)) * (one.quantity == "K3" ? thickness : 1);
   };
+  std::size_t width = 3;
+  for (const auto& one : envelope) width = std::max(width, one.quantity.size());
   fmt::format_to(out, "largest of all load cases and combinations:\n");
   for (const auto& one : envelope) {
-    const bool noise = one.quantity != "G" && std::ranges::any_of(envelope, [&](const EnvelopeEntry& other) {
-                         return other.tip == one.tip && other.quantity != "G" && size(one) < nothing * size(other);
-                       });
+    const bool noise = std::ranges::any_of(
+        envelope, [&](const EnvelopeEntry& other) { return alike(one, other) && size(one) < nothing * size(other); });
     const bool known = one.error.value_or(0) <= std::abs(one.value);
     if (!noise)
-      fmt::format_to(out, "{:>4} {:<3} {:>13} {:<11}  {}\n", one.tip, one.quantity,
+      fmt::format_to(out, "{:>4} {:<{}} {:>13} {:<11}  {}\n", one.tip, one.quantity, width,
                      known ? fmt::format("{:.6g}", one.value) : "-",
                      one.error ? fmt::format("+- {:.2g}", *one.error) : "", known ? one.of : "not resolved in all");
   }
@@ -304,22 +353,55 @@ std::string results_in(const std::filesystem::path& folder) {
              : fmt::format("results in {}\n", folder.string());
 }
 
-std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases) {
-  static const std::array names{"K1", "K2", "K3", "G"};
+namespace {
+
+/// A quantity of a tip in one load case: its value, where it is resolved, or else what it may be.
+struct Known {
+  std::optional<double> value, error;
+  double at_most = 0;
+};
+
+/// Utilisation of a tip.
+Known utilisation_of(const Srif& srif, const plate::Section& section, double toughness) {
+  const auto faces = at_faces(srif, section, toughness);
+  if (faces.utilisation) return {faces.utilisation, faces.utilisation_error};
+  const auto most = at_faces(as_resolved(srif), section, toughness);
+  return {{}, {}, most.utilisation.value_or(0) + most.utilisation_error.value_or(0)};
+}
+
+/// Quantities of the envelope, in its order; those that a tip does not have without value.
+std::array<Known, 7> quantities_of(const Srif& srif, const plate::Section& section, std::optional<double> toughness) {
+  std::array<Known, 7> result;
+  const auto factor = [](double value, const std::optional<double>& error, bool resolved) {
+    return resolved ? Known{value, error} : Known{{}, {}, std::abs(value) + error.value_or(0)};
+  };
+  const std::array K{srif.K1, srif.K2, srif.K3};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = factor(K[i], srif.errors[i], srif.resolved[i]);
+  result[3].value = srif.G;
+  if (const auto& membrane = srif.membrane)
+    for (std::size_t i = 0; i < 2; ++i)
+      result[4 + i] = factor(membrane->N[i], membrane->errors[i], membrane->resolved[i]);
+  if (toughness) result[6] = utilisation_of(srif, section, *toughness);
+  return result;
+}
+
+}  // namespace
+
+std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases, const plate::Section& section,
+                                    std::optional<double> toughness) {
+  static const std::array names{"K1", "K2", "K3", "G", "N1", "N2", "utilisation"};
   std::map<std::pair<std::size_t, std::size_t>, EnvelopeEntry> found;
   std::map<std::pair<std::size_t, std::size_t>, double> lost;  // what factors that are not resolved may be
   for (const auto& one : cases)
-    for (const auto* best : recommended(one.srif)) {
-      const auto& srif = *best;
-      for (std::size_t k = 0; k < 3; ++k)
-        if (auto& most = lost[{srif.tip, k}]; !srif.resolved[k])
-          most = std::max(most, std::abs(std::array{srif.K1, srif.K2, srif.K3}[k]) + srif.errors[k].value_or(0));
-      const std::array<std::optional<double>, 4> values{srif.K1, srif.K2, srif.K3, srif.G};
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (!values[k] || (k < 3 && !srif.resolved[k])) continue;
-        const auto error = k < 3 ? srif.errors[k] : std::nullopt;
-        const EnvelopeEntry entry{srif.tip, srif.position, names[k], *values[k], error, one.name};
-        const auto [there, is_new] = found.emplace(std::pair(srif.tip, k), entry);
+    for (const auto* srif : recommended(one.srif)) {
+      const auto quantities = quantities_of(*srif, section, toughness);
+      for (std::size_t k = 0; k < quantities.size(); ++k) {
+        const auto& [value, error, at_most] = quantities[k];
+        auto& most = lost[{srif->tip, k}];
+        most = std::max(most, at_most);
+        if (!value) continue;
+        const EnvelopeEntry entry{srif->tip, srif->position, names[k], *value, error, one.name};
+        const auto [there, is_new] = found.emplace(std::pair(srif->tip, k), entry);
         if (!is_new && std::abs(entry.value) > std::abs(there->second.value)) there->second = entry;
       }
     }
@@ -350,6 +432,8 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
   const Text out(text);
   const bool factors = std::ranges::any_of(summary.load_cases, [](const auto& one) { return !one.srif.empty(); });
   if (factors) factors_of_cases(out, summary, si, thickness);
+  in_plane_of_cases(out, summary, si);
+  utilisations_of_cases(out, summary);
   if (!summary.envelope.empty()) largest_of_cases(out, summary.envelope, thickness);
   for (const auto& one : summary.load_cases)
     if (one.reactions)

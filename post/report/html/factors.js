@@ -44,17 +44,21 @@ function factor_table(indices, wanted) {
   return table(columns, rows, { class: wanted, "data-table": wanted });
 }
 
+const in_plane_names = ["N1", "N2"];
+
+/** A factor of loads in the plane with its error. */
+function in_plane_cell(one, path, name) {
+  const error = one[`estimated_error_${name}`], size = largest(in_plane_names.map(key => one[key]));
+  if (one[name] === null || one[name] === undefined) return "not resolved";
+  return [value(`${path}.${name}`, 6, Math.abs(one[name]) < 1e-8 * size ? "0" : null), typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null];
+}
+
 /** The factors of loads in the plane. */
 function in_plane_table(indices) {
-  const all = data.summary.srif, there = indices.filter(i => all[i].N1 !== undefined), names = ["N1", "N2"];
+  const all = data.summary.srif, there = indices.filter(i => all[i].N1 !== undefined);
   if (there.length === 0) return [];
-  const cell = (i, name) => {
-    const one = all[i], error = one[`estimated_error_${name}`], size = largest(names.map(key => one[key]));
-    if (one[name] === null) return "not resolved";
-    return [value(`srif[${i}].${name}`, 6, Math.abs(one[name]) < 1e-8 * size ? "0" : null), typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null];
-  };
-  return [element("h3", {}, "In the plane"), table([{ title: "tip" }, ...names.map(title => ({ title, unit: unit(title) }))],
-    there.map(i => [value(`srif[${i}].tip`), ...names.map(name => cell(i, name))]), { "data-table": "in_plane" }),
+  return [element("h3", {}, "In the plane"), table([{ title: "tip" }, ...in_plane_names.map(title => ({ title, unit: unit(title) }))],
+    there.map(i => [value(`srif[${i}].tip`), ...in_plane_names.map(name => in_plane_cell(all[i], `srif[${i}]`, name))]), { "data-table": "in_plane" }),
     note("N1 = lim √(2r) N", element("sub", {}, "y′y′"), ", N2 = lim √(2r) N", element("sub", {}, "x′y′"), " of the membrane forces, without a factor π.")];
 }
 
@@ -118,14 +122,29 @@ function largest_section(list, title) {
   return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
 }
 
+/** What supports do to the plate in its plane, of every load case and combination. */
+function reactions_in_plane(all) {
+  const rows = all.flatMap((one, n) => (one.membrane?.reactions ?? []).map((support, i) => [one.name, support.name,
+    ...["force_x", "force_y"].map(name => value(`load_cases[${n}].membrane.reactions[${i}].${name}`, 5))]));
+  if (rows.length === 0) return null;
+  return [element("h3", {}, "Reactions in the plane"), table([{ title: "case", left: true }, { title: "support", left: true },
+    { title: "along x", unit: unit("force") }, { title: "along y", unit: unit("force") }], rows, { "data-table": "reactions_in_plane" })];
+}
+
 /** Factors, forces and the largest deflection of every load case and combination, and the envelope of them all. */
 function load_cases_section() {
   const all = data.summary.load_cases;
   if (!Array.isArray(all) || all.length === 0) return null;
-  const columns = [{ title: "case", left: true }, { title: "tip" }, ...factor_names.map(name => ({ title: name, unit: unit(name) })), { title: "error" }];
+  const stretched = all.some(one => one.srif.some(srif => srif.N1 !== undefined)), in_plane = stretched ? in_plane_names : [];
+  const used = all.some(one => one.srif.some(srif => typeof srif.faces?.utilisation === "number"));
+  const columns = [{ title: "case", left: true }, { title: "tip" }, ...factor_names.map(name => ({ title: name, unit: unit(name) })), { title: "error" },
+    ...in_plane.map(name => ({ title: name, unit: unit(name) })), ...(used ? [{ title: "utilisation" }] : [])];
   const rows = all.flatMap((one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => {
-    const srif = one.srif[i], path = `load_cases[${n}].srif[${i}]`;
-    return [one.name, value(`${path}.tip`), ...factor_names.map(name => factor_cell(srif, path, name)), error_cell(srif)];
+    const srif = one.srif[i], path = `load_cases[${n}].srif[${i}]`, share = srif.faces?.utilisation, error = srif.faces?.estimated_error_utilisation;
+    const utilisation = typeof share !== "number" ? "–" : element("span", { class: share >= 1 ? "rough" : null }, value(`${path}.faces.utilisation`, 4),
+      typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null);
+    return [one.name, value(`${path}.tip`), ...factor_names.map(name => factor_cell(srif, path, name)), error_cell(srif),
+      ...in_plane.map(name => in_plane_cell(srif, path, name)), ...(used ? [utilisation] : [])];
   }));
   const sizes = all.map((one, n) => [one.of ? [one.name, " = ", Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`)] : one.name,
     one.reactions ? value(`load_cases[${n}].reactions.loads.force`, 5) : null, ...["w", "von_mises"].map(name => {
@@ -138,5 +157,6 @@ function load_cases_section() {
       envelope.map((one, i) => [value(`envelope[${i}].tip`), one.quantity, ...(one.estimated_error > Math.abs(one.value) ? ["not resolved in all", null]
         : [[value(`envelope[${i}].value`), one.estimated_error === undefined ? null : element("span", { class: "error" }, ` ± ${shown(one.estimated_error, 2)}`)], one.case])]), { "data-table": "envelope" })] : null,
     element("h3", {}, "Forces and deflections"), table([{ title: "case", left: true }, { title: "load along w", unit: unit("force") }, { title: "largest w", unit: unit("w") }, { title: "largest von Mises", unit: unit("von_mises") }], sizes),
+    reactions_in_plane(all),
     note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));
 }

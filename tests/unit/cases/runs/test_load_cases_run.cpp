@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cases/driver/run.hpp"
 #include "cases/input/validation.hpp"
@@ -210,4 +211,136 @@ TEST_CASE("load cases: a load case that fails is named, and those before it are 
                                           "analysis.preconditioner=diagonal", "discretization.formulation=ordinary"});
   CHECK_THROWS_WITH(cases::run(file, {{}, true, &in_memory}), Catch::Contains("dead, cg: not converged"));
   CHECK_THAT(in_memory.summary, Catch::Contains("\"outcome\": \"failed: dead"));
+}
+
+namespace {
+
+const std::string pull = "kind = \"edge_traction\"\nedges = [\"top\"]\nvalue = VALUE\n",
+                  drag = "kind = \"body_force\"\nvector = [VALUE, 0.1]\n",
+                  press = "kind = \"pressure\"\nvalue = VALUE\n";
+
+std::string load_case(const std::string& name, const std::vector<std::string>& loads) {
+  std::string text = "[[case]]\nname = \"" + name + "\"\n";
+  for (const auto& load : loads) text += "[[case.load]]\n" + load;
+  return text;
+}
+
+const std::string cases_in_plane = no_load + load_case("pull", {scaled(pull, "2")}) +
+                                   load_case("drag", {scaled(drag, "0.3"), scaled(press, "0.5")}) +
+                                   load_case("bend", {scaled(press, "1")}) +
+                                   "[[combination]]\nname = \"all\"\nof = { pull = 1.5, drag = 1, bend = -2 }\n";
+
+Run run_in_plane(const std::string& text, std::vector<std::string> more = {}) {
+  more.insert(more.end(), {"discretization.refine_tips=false", "srif.toughness=50",
+                           "support=[{ kind = 'clamped', edges = ['left'], in_plane = 'fixed' }]"});
+  return run(text, "galerkin", more);
+}
+
+/// Results in the plane of a load case are those of a run under its loads alone.
+void compare_in_plane(const post::LoadCaseSummary& one, const Run& all, std::size_t number_of_case, const Run& alone) {
+  INFO(one.name);
+  REQUIRE(one.srif.size() == alone.summary.srif.size());
+  double largest = 0;
+  for (const auto* srif : post::recommended(alone.summary.srif))
+    largest = std::max(largest, std::abs(srif->membrane.value().N[0]));
+  for (std::size_t i = 0; i < one.srif.size(); ++i) {
+    const auto &a = one.srif[i].membrane, &b = alone.summary.srif[i].membrane;
+    REQUIRE(a.has_value() == b.has_value());
+    for (std::size_t k = 0; a && k < 2; ++k) {
+      CHECK(std::abs(a->N[k] - b->N[k]) < 1e-9 * largest);
+      CHECK(a->errors[k].value_or(0) >= b->errors[k].value_or(0) * (1 - 1e-6) - 1e-9 * largest);
+    }
+    const auto &used = one.faces[i].utilisation, &expected = alone.summary.faces[i].utilisation;
+    REQUIRE(used.has_value() == expected.has_value());
+    if (used) CHECK(*used == Approx(*expected).epsilon(1e-8));
+  }
+  const auto &probes = table_of(all, "probes"), &own = table_of(alone, "probes");
+  for (const std::string name : {"u", "v"})
+    CHECK(number(probes.rows.at(number_of_case - 1)[probes.column(name)]) ==
+          Approx(number(own.rows.at(0)[own.column(name)])).epsilon(1e-9));
+  REQUIRE(one.membrane);
+  const auto& single = alone.summary.membrane.value();
+  REQUIRE(one.membrane->reactions.size() == single.reactions.size());
+  for (std::size_t i = 0; i < single.reactions.size(); ++i)
+    CHECK((one.membrane->reactions[i].force - single.reactions[i].force).norm() <=
+          1e-9 * single.reactions[i].force.norm());
+  CHECK(one.membrane->strain_energy == Approx(single.strain_energy).epsilon(1e-9));
+  CHECK(one.membrane->external_work == Approx(single.external_work).epsilon(1e-9));
+  const auto stress = [](const std::vector<post::Peak>& peaks) {
+    return std::ranges::find(peaks, "von_mises", &post::Peak::quantity)->value;
+  };
+  CHECK(stress(one.extremes) == Approx(stress(alone.summary.extremes)).epsilon(1e-8));
+}
+
+}  // namespace
+
+TEST_CASE("load cases: in the plane each is what it is alone, and a combination what its loads are together") {
+  const auto all = run_in_plane(cases_in_plane);
+  const auto& found = all.summary.load_cases;
+  REQUIRE(found.size() == 4);
+  const auto alone = [](const std::vector<std::string>& loads) {
+    std::string text = no_load;
+    for (const auto& load : loads) text += "[[load]]\n" + load;
+    return run_in_plane(text);
+  };
+  const auto pulled = alone({scaled(pull, "2")}), bent = alone({scaled(press, "1")});
+  compare_in_plane(found[0], all, 1, pulled);
+  compare_in_plane(found[1], all, 2, alone({scaled(drag, "0.3"), scaled(press, "0.5")}));
+  compare_in_plane(found[3], all, 4, alone({scaled(pull, "3"), scaled(drag, "0.3"), scaled(press, "-1.5")}));
+
+  CHECK_FALSE(bent.summary.membrane);  // and a load case without loads in the plane rests there
+  CHECK(found[2].membrane->strain_energy == 0);
+  CHECK(found[2].membrane->largest_displacement == 0);
+  REQUIRE(found[2].srif.size() == bent.summary.srif.size());
+  for (std::size_t i = 0; i < found[2].srif.size(); ++i) {
+    CHECK(found[2].srif[i].K1 == Approx(bent.summary.srif[i].K1).epsilon(1e-9));
+    if (const auto& membrane = found[2].srif[i].membrane) CHECK(membrane->N[0] == 0);
+    CHECK(found[0].srif[i].K1 == 0);
+  }
+  CHECK_THAT(fmt::format("{}", fmt::join(all.summary.warnings, "; ")),
+             !Catch::Contains("no load reaches") && !Catch::Contains("cancel"));
+  for (const auto& frame : all.in_memory.frames) CHECK(frame.arrays.contains("membrane_forces"));
+  CHECK(table_of(all, "srif").columns.back() == "case");
+  CHECK_NOTHROW(table_of(all, "srif").column("N1"));
+  std::set<std::string> quantities;
+  for (const auto& entry : all.summary.envelope) quantities.insert(entry.quantity);
+  CHECK(quantities == std::set<std::string>{"K1", "K2", "K3", "G", "N1", "N2", "utilisation"});
+  const auto json = nlohmann::json::parse(all.in_memory.summary).at("load_cases");
+  CHECK(json.at(0).at("membrane").at("reactions").at(0).at("force_y").get<double>() ==
+        Approx(-4));  // 2 on an edge of the length 2
+  CHECK(json.at(0).at("srif").at(0).at("faces").contains("utilisation"));
+}
+
+TEST_CASE("load cases: loads in the plane that cancel in a combination leave its bending, and errors") {
+  const auto all = run_in_plane(cases_in_plane + load_case("half", {scaled(pull, "1")}) +
+                                "[[combination]]\nname = \"bent\"\nof = { pull = 1, half = -2, bend = 1 }\n");
+  const auto& found = all.summary.load_cases;
+  REQUIRE(found.size() == 6);
+  const auto &bend = found[2], &bent = found[5];
+  CHECK(bent.membrane->strain_energy == 0);
+  for (std::size_t i = 0; i < bent.srif.size(); ++i) {
+    CHECK(bent.srif[i].K1 == Approx(bend.srif[i].K1).epsilon(1e-9));
+    const auto &membrane = bent.srif[i].membrane, &of_part = found[0].srif[i].membrane;
+    if (!membrane) continue;
+    CHECK(membrane->N[0] == 0);
+    if (of_part->errors[0]) CHECK(membrane->errors[0].value() > *of_part->errors[0]);
+  }
+  CHECK_THAT(
+      fmt::format("{}", fmt::join(all.summary.warnings, "; ")),
+      Catch::Contains("combination bent: its loads in the plane cancel") && !Catch::Contains("plate stays at rest"));
+}
+
+TEST_CASE("load cases: one that is not in equilibrium in the plane is named") {
+  CHECK_THROWS_WITH(run_in_plane(cases_in_plane, {"analysis.method=cg", "analysis.max_iterations=1",
+                                                  "analysis.preconditioner=diagonal"}),
+                    Catch::Contains("in the plane, pull: not converged"));
+}
+
+TEST_CASE("load cases: without loads in the plane nothing is stored for them") {
+  const auto all = run(cases_of_three, "galerkin", {"discretization.spacing=0.1"});
+  CHECK_FALSE(all.summary.load_cases[0].membrane);
+  CHECK_THROWS_AS(table_of(all, "srif").column("N1"), std::out_of_range);
+  CHECK_THROWS_AS(table_of(all, "probes").column("u"), std::out_of_range);
+  for (const auto& entry : all.summary.envelope) CHECK(entry.quantity != "utilisation");
+  CHECK_THAT(all.in_memory.summary, !Catch::Contains("membrane"));
 }

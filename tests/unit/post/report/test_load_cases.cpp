@@ -1,6 +1,7 @@
 // The largest of all load cases, and how load cases are printed.
 #include "post/report/printed.hpp"
 
+#include "plate/model/section.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
@@ -25,6 +26,8 @@ std::vector<LoadCaseSummary> two() {
   return {dead, uls};
 }
 
+const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 2};
+
 const EnvelopeEntry& entry(const std::vector<EnvelopeEntry>& all, std::size_t tip, const std::string& quantity) {
   for (const auto& one : all)
     if (one.tip == tip && one.quantity == quantity) return one;
@@ -34,7 +37,7 @@ const EnvelopeEntry& entry(const std::vector<EnvelopeEntry>& all, std::size_t ti
 }  // namespace
 
 TEST_CASE("envelope: the largest by recommended methods, with its sign and what gives it") {
-  const auto all = envelope(two());
+  const auto all = envelope(two(), section, {});
   CHECK(all.size() == 8);
   CHECK(entry(all, 0, "K1").value == -3);
   CHECK(entry(all, 0, "K1").of == "uls");
@@ -48,7 +51,36 @@ TEST_CASE("envelope: the largest by recommended methods, with its sign and what 
   const auto table = envelope_table(all);
   CHECK(table.rows.size() == 8);
   CHECK(table.rows[0][table.column("case")] == Cell("uls"));
-  CHECK(envelope({}).empty());
+  CHECK(envelope({}, section, {}).empty());
+}
+
+TEST_CASE("envelope: factors in the plane, and utilisations where there is a toughness") {
+  auto cases = two();
+  for (auto& one : cases)
+    for (auto& srif : one.srif) srif.membrane = MembraneFactors{{1, -2}, {0.1, 0.2}, {true, true}, {}, 0.1};
+  cases[1].srif[0].membrane->N[0] = -5;
+  cases[1].srif[1].membrane->resolved[1] = false, cases[1].srif[1].membrane->N[1] = 4;
+  const auto all = envelope(cases, section, 3000);
+  CHECK(all.size() == 14);
+  CHECK(entry(all, 0, "N1").value == -5);
+  CHECK(entry(all, 0, "N1").error == 0.1);
+  CHECK(entry(all, 0, "N1").of == "uls");
+  CHECK(entry(all, 1, "N2").of == "dead");
+  CHECK(entry(all, 1, "N2").error.value() == Approx(2.2));  // where it may be 4 + 0.2
+  const auto used = at_faces(cases[1].srif[0], section, 3000);
+  CHECK(entry(all, 0, "utilisation").value == used.utilisation);
+  CHECK(entry(all, 0, "utilisation").error == used.utilisation_error);
+}
+
+TEST_CASE("envelope: where a load case resolves no factor, the utilisation may be larger by what these may be") {
+  auto cases = two();
+  for (auto& one : cases) one.srif.resize(1);
+  cases[1].srif[0].K1 = -30, cases[1].srif[0].resolved = {false, false, false};
+  const auto all = envelope(cases, section, 3000);
+  const auto& used = entry(all, 0, "utilisation");
+  CHECK(used.of == "dead");
+  const auto most = at_faces(as_resolved(cases[1].srif[0]), section, 3000);
+  CHECK(used.value + used.error.value() == Approx(*most.utilisation + *most.utilisation_error));
 }
 
 TEST_CASE("load cases: tables get their names by the number in the place of time") {
@@ -68,7 +100,7 @@ TEST_CASE("load cases: a row for each and tip, the envelope, reactions and defle
   summary.load_cases[0].extremes = {{"w", {}, -0.5, 1, geometry::Point(1, 2), {}}};
   ReactionSummary reactions{{{"left", {}}}, 1, {{{-3, 0, 0}}, {3, 0, 0}, {}, 1e-9}, 0, {}};
   summary.load_cases[0].reactions = reactions;
-  summary.envelope = envelope(summary.load_cases);
+  summary.envelope = envelope(summary.load_cases, section, {});
   const auto text = printed_load_cases(summary, false, 0.1);
   CHECK_THAT(text, Catch::Contains("case  tip") && Catch::Contains("dead    0             2            -1"));
   CHECK_THAT(text, Catch::Contains("uls     0            -3           0.5"));
@@ -77,4 +109,21 @@ TEST_CASE("load cases: a row for each and tip, the envelope, reactions and defle
   CHECK_THAT(text, !Catch::Contains("99"));
   CHECK_THAT(text, Catch::Contains("reactions along w, dead: left -3; loads 3; balanced to 1.0e-09"));
   CHECK_THAT(text, Catch::Contains("largest |w|, dead: -0.5 at (1, 2)"));
+}
+
+TEST_CASE("load cases: factors in the plane and utilisations have tables of their own") {
+  Summary summary;
+  summary.load_cases = two();
+  for (auto& one : summary.load_cases)
+    for (auto& srif : one.srif) {
+      srif.membrane = MembraneFactors{{1.5, 0}, {0.15, 0}, {true, true}, {}, 0.1};
+      one.faces.push_back(at_faces(srif, section, 3000));
+    }
+  summary.envelope = envelope(summary.load_cases, section, 3000);
+  const auto text = printed_load_cases(summary, false, 0.1);
+  CHECK_THAT(text, Catch::Contains("in the plane:\ncase  tip            N1            N2    error\n"
+                                   "dead    0           1.5             0     10 %\n"));
+  CHECK_THAT(text, Catch::Contains("case  tip  of toughness\ndead    0 "));
+  CHECK_THAT(text, Catch::Contains("   0 N1                    1.5 +- 0.15"));
+  CHECK_THAT(text, !Catch::Contains("   0 N2"));
 }
