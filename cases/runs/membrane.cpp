@@ -34,7 +34,7 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
-                                const std::string& where) {
+                                const std::string& where, const plate::Stretch* stretch) {
   const auto& [options, methods] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
@@ -44,7 +44,7 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
   if (options) {
-    result.factors = post::srifs(membrane, *options, methods, state);
+    result.factors = post::srifs(membrane, *options, methods, state, true, nullptr, stretch);
     for (const auto& some :
          {post::left_out(membrane.tips(), methods),
           post::warnings_about_factors(result.factors, {}, membrane.section().thickness, membrane.remedy())})

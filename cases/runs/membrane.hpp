@@ -8,6 +8,7 @@
 
 namespace plate {
 class Formulation;
+struct Stretch;
 struct Analysis;
 struct StaticSolution;
 }  // namespace plate
@@ -34,11 +35,12 @@ struct MembraneFactorsWanted {
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
                                 const MembraneFactorsWanted& wanted);
 
-/// Results of a plate in its plane in a state of equilibrium under a load. `where`: in messages.
+/// Results of a plate in its plane in a state of equilibrium under a load. `where`: in messages;
+/// `stretch`: of its middle plane by the deflections.
 /// @throws plate::NumericalError  a number is not finite
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
-                                const std::string& where = "in the plane");
+                                const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
 
 /// Checks a solution of a plate in its plane.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite

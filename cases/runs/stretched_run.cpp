@@ -44,8 +44,8 @@ private:
 /// Results in the plane, with the strains that the deflections add.
 MembraneResult LargeDeflectionRun::in_plane(const plate::LargeDeflections& found) const {
   const auto& membrane = *ready_.membrane;
-  auto result = membrane_results(membrane, found.membrane, membrane.total_load() + found.on_membrane,
-                                 {content().srif, ready_.membrane_methods});
+  auto result = membrane_results(membrane, found.membrane, membrane.total_load() + found.stretch.forces,
+                                 {content().srif, ready_.membrane_methods}, "in the plane", &found.stretch);
   result.forces.moments = result.fields.force = found.membrane_forces;
   result.summary.strain_energy = found.membrane_energy;
   result.summary.external_work = found.external_work;

@@ -4,6 +4,13 @@
 
 namespace plate {
 
+/// Strains that deflections give the middle plane of a plate, grad w (x) grad w / 2, and the nodal forces by which they
+/// load it in its plane.
+struct Stretch {
+  Eigen::Matrix3Xd strains;  // xx, yy, 2 xy of every point
+  Forces forces;
+};
+
 /// The middle plane of a plate that stretches with its deflection (von Karman): membrane strains
 /// sym grad u + grad w (x) grad w / 2. States of the plate (w, theta_x, theta_y) and of its plane (PlateLaw::membrane)
 /// have the same points.
@@ -21,6 +28,8 @@ public:
   virtual PointMatrix stiffness(const State& bending, const State& membrane) const = 0;
   /// Stiffness of the deflections under the membrane forces of a plate that is still flat.
   virtual PointMatrix geometric_stiffness(const State& membrane) const = 0;
+  /// What deflections do to the plane.
+  virtual Stretch stretch(const State& bending) const = 0;
   /// Nxx, Nyy, Nxy of every point [force/length].
   virtual Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const = 0;
 };

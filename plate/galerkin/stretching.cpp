@@ -27,6 +27,8 @@ public:
 
   std::size_t members() const { return count_; }
   double energy() const;
+  /// Mean strains xx, yy, 2 xy.
+  const Eigen::Vector3d& strains() const { return strain_; }
   /// N [force/length] times the area of the point.
   const Eigen::Vector3d& forces() const { return S_; }
   /// Derivative of the energy by the unknowns [3 members].
@@ -285,6 +287,16 @@ PointMatrix GalerkinStretching::geometric_stiffness(const State& membrane) const
     }
   };
   add_families(families_, sections_, zero_state(families_.areas.size()), membrane, add);
+  return result;
+}
+
+Stretch GalerkinStretching::stretch(const State& bending) const {
+  const State flat = zero_like(bending);
+  Stretch result{Eigen::Matrix3Xd(3, bending.cols()), {}};
+  for_each_family(families_, sections_, bending, flat,
+                  [&](const Family& family, std::size_t k) { result.strains.col(Eigen::Index(k)) = family.strains(); });
+  Forces ignored;
+  internal_force(bending, flat, ignored, result.forces);
   return result;
 }
 

@@ -18,6 +18,7 @@ public:
                       Forces& on_membrane) const override;
   PointMatrix stiffness(const State& bending, const State& membrane) const override;
   PointMatrix geometric_stiffness(const State& membrane) const override;
+  Stretch stretch(const State& bending) const override;
   Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const override;
 
 private:

@@ -30,9 +30,9 @@ void add(const Constraints& constraints, std::uint32_t first, Constraints& sum) 
 }
 
 /// Rigid motions of a piece in its plane, about a point, by a degree of freedom: u = theta_y, v = -theta_x.
-class RigidMotions {
+class MotionsInPlane {
 public:
-  RigidMotions(const geometry::Point& about, double length) : about_(about), length_(length) {}
+  MotionsInPlane(const geometry::Point& about, double length) : about_(about), length_(length) {}
 
   Eigen::Vector3d row(const Dof& one, const geometry::Point& at) const {
     const geometry::Point x = (at - about_) / length_;
@@ -55,7 +55,7 @@ std::vector<Dof> pins_of(const std::vector<std::uint32_t>& points, const Formula
   for (const auto k : points) centre += positions[k] / double(points.size());
   double length = 0;
   for (const auto k : points) length = std::max(length, (positions[k] - centre).norm());
-  const RigidMotions rigid(centre, length > 0 ? length : 1);
+  const MotionsInPlane rigid(centre, length > 0 ? length : 1);
   std::vector<char> here(positions.size(), 0);
   for (const auto k : points) here[k] = 1;
   Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
@@ -277,7 +277,7 @@ struct StretchedPlate::Path {
   double factor = 0, step = 1;  // of the loads
   State rate;                   // of the deflections by the factor
   double along = 0;             // of the displacement of the loads
-  double integral = 0;          // of that displacement over the factor
+  double work = 0;              // of the loads
   std::size_t bytes = 0;        // of the stiffness
   bool stable = true;
 };
@@ -299,6 +299,16 @@ void StretchedPlate::look_ahead(Path& path) const {
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
+/// Work of the loads from one equilibrium to the next, by Hermite's rule over the displacement of the loads: exact
+/// where they grow with its third power, as with the stretching of a plate.
+double StretchedPlate::work_between(const Path& before, const Path& after) const {
+  const double moved =
+      by_loads(after.now.bending, after.now.membrane) - by_loads(before.now.bending, before.now.membrane);
+  const double mean = moved * (before.factor + after.factor) / 2;
+  if (!(before.along > 0) || !(after.along > 0)) return mean;
+  return mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
+}
+
 /// Finds the next equilibrium; false where there is none within the least step.
 bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const {
   constexpr double least = 1e-4, usual = 5;  // step of the factor; iterations
@@ -313,13 +323,11 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     if (!found) continue;
     step.largest_deflection = next.bending.row(0).cwiseAbs().maxCoeff();
     step.strain_energy = next.bending_energy + next.membrane_energy;
-    const double before = by_loads(path.now.bending, path.now.membrane), along = path.along;
+    const Path before = path;
     path.now = std::move(next), path.factor = step.factor;
     look_ahead(path);
     step.stable = path.stable;
-    // Hermite's rule
-    path.integral += length * (before + by_loads(path.now.bending, path.now.membrane)) / 2 +
-                     length * length * (along - path.along) / 12;
+    path.work += work_between(before, path);
     path.step = length * std::clamp(usual / double(step.iterations + 1), 0.5, 3.0);
     result.steps.push_back(step);
     return true;
@@ -339,11 +347,10 @@ LargeDeflections StretchedPlate::equilibrium(const LargeDeflectionOptions& optio
   result.stop_reason = result.converged ? fmt::format("residual below tolerance in {} load steps", result.steps.size())
                                         : fmt::format("no equilibrium found beyond {:.4g} of the loads", path.factor);
   auto& now = path.now;
-  result.external_work = path.factor * by_loads(now.bending, now.membrane) - path.integral;
+  result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
   result.factor_bytes = path.bytes;
-  Forces ignored;
-  stretching_->internal_force(now.bending, zero_like(now.bending), ignored, result.on_membrane);
+  result.stretch = stretching_->stretch(now.bending);
   result.membrane_forces = stretching_->membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);
   result.on_bending = std::move(now.on_bending);

@@ -24,9 +24,9 @@ struct LargeDeflections {
   State bending, membrane;
   std::vector<LoadStep> steps;
   double bending_energy = 0, membrane_energy = 0;
-  double external_work = 0;  // of the loads along the steps; exact to the fourth order of their lengths
+  double external_work = 0;  // of the loads along the steps
   Forces on_bending;         // of the stretched middle plane on the deflections
-  Forces on_membrane;        // by which the deflections stretch it, as loads of the flat plate in its plane
+  Stretch stretch;           // of the middle plane by the deflections
   Eigen::Matrix3Xd membrane_forces;
   std::size_t iterations = 0, factor_bytes = 0;
   bool converged = false;
@@ -58,6 +58,7 @@ private:
   double norm(const Forces& forces) const;
   double by_loads(const State& bending, const State& membrane) const;
   void look_ahead(Path& path) const;
+  double work_between(const Path& before, const Path& after) const;
   bool advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
 
   const Formulation& plate_;

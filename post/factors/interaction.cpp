@@ -152,4 +152,32 @@ std::vector<SeriesFit> interaction_integrals(const TipView& plate, const geometr
   return result;
 }
 
+/// M' : kappa_0 q,x' - M_0,ab psi'_a,x' q,b + q M' : kappa_0,x' of the moments M_0 of kappa_0 and fields psi', M'.
+Eigen::Vector3d interaction_of_free_curvatures(const TipView& plate, const geometry::Tip& tip, const TipSection& at,
+                                               const Ring& ring, const FreeCurvatures& free) {
+  const TipFrame frame(tip);
+  const LeadingFields fields(at, frame.ahead);
+  const auto stiffness = plate::LocalSection(at.section).bending;
+  Eigen::Vector3d sum(0, 0, 0);
+  for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
+    constexpr double nothing = 1e-3;  // spacings
+    const auto place = plate::polar(frame, plate.positions[k], plate.spacing);
+    if (place.r > 2 * ring.outer || place.r < nothing * plate.spacing) continue;
+    const Point slope = plate.extension_slope(k, frame, ring);
+    const double q = ring.extension(place.r);
+    if (q == 0 && slope == Point(0, 0)) continue;
+    const Eigen::Vector3d held = stiffness * free.col(k), change = change_ahead(plate, k, frame.ahead, free);
+    Eigen::Matrix2d moments;
+    moments << held[0], held[2], held[2], held[1];
+    const auto rotations = fields.rotations(place);
+    for (Eigen::Index mode = 0; mode < 2; ++mode) {
+      const auto& own = rotations[std::size_t(mode)];
+      const Eigen::Vector3d kappa(own(0, 0), own(1, 1), own(0, 1) + own(1, 0));
+      sum[mode] += plate.areas[k] * (held.dot(kappa) * slope.dot(frame.ahead) -
+                                     (own * frame.ahead).dot(moments * slope) + q * kappa.dot(stiffness * change));
+    }
+  }
+  return at.stiffness() / std::numbers::pi * sum;
+}
+
 }  // namespace post

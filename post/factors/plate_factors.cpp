@@ -10,6 +10,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/stretching.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
@@ -232,26 +233,28 @@ std::vector<Srif> of_heated(const plate::Formulation& plate, const TipMethods& m
   const double there = uniform ? heat.curvature[0] : curvature_at(tip.position, plate, heat);
   const auto cold = plate::cold(state, plate.cloud().positions, tip.position, there);
   const Eigen::VectorXd varying = heat.curvature.array() - there;
-  return methods(cold, force, all_rings, uniform ? nullptr : &varying);
+  const Eigen::Matrix3Xd free = -Eigen::Vector3d(1, 1, 0) * varying.transpose();
+  return methods(cold, force, all_rings, uniform ? nullptr : &free);
 }
 
 }  // namespace
 
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings,
-                        const plate::Heat* heat) {
+                        const plate::Heat* heat, const plate::Stretch* stretch) {
   plate::Forces force;
   const bool together = plate.distributed();  // no process can find forces alone
   if (together || std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
     plate.internal_force(state, force), plate.boundary().elastic_supports.take_force(state, force);
   const bool heated = heat && !heat->none();
   if (heated && force.size() > 0) force += heat->forces;
+  if (stretch && force.size() > 0) force += stretch->forces;
   if (force.size() > 0) plate.constraints().fetch(force);
   std::vector<std::vector<Srif>> by_tip(methods.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     if (methods[tip].here())
-      by_tip[tip] = !heated ? methods[tip](state, force, all_rings)
+      by_tip[tip] = !heated ? methods[tip](state, force, all_rings, stretch ? &stretch->strains : nullptr)
                             : of_heated(plate, methods[tip], plate.tips()[tip], state, force, *heat, all_rings);
   std::vector<Srif> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip)

@@ -7,6 +7,7 @@
 namespace plate {
 class Formulation;
 struct Heat;
+struct Stretch;
 struct Problem;
 }  // namespace plate
 
@@ -43,10 +44,10 @@ std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const
                                       const SrifOptions& options, double reach = INFINITY);
 
 /// The intensity factors of all tips, normalised, the recommended one of each tip first. `heat`: what temperatures do
-/// to the plate in this state.
+/// to the plate in this state; `stretch`: what deflections do to a plate in its plane.
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings = true,
-                        const plate::Heat* heat = nullptr);
+                        const plate::Heat* heat = nullptr, const plate::Stretch* stretch = nullptr);
 
 /// Messages about the methods that are missing at tips, and why.
 std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods);

@@ -9,10 +9,20 @@ namespace post {
 
 using geometry::Point;
 
-/// The strain energy has W = D (1 + nu) kappa_0 (tr grad psi + kappa_0) of it; the field is carried along with the tip,
-/// while kappa_0 stays where it is.
-double release_of_heat(const TipView& plate, const TipFrame& frame, const Ring& ring, const plate::State& field,
-                       const Eigen::VectorXd& curvature) {
+Eigen::Vector3d change_ahead(const TipView& plate, std::uint32_t k, const Point& ahead, const FreeCurvatures& free) {
+  Eigen::Vector3d result(0, 0, 0);
+  const auto shares = plate.gradient_shares(k);
+  for (std::size_t i = 0; i < shares.bonds.size(); ++i)
+    if (const auto j = shares.bonds[i].neighbour; j < plate.plate_points)
+      result += shares.share.col(Eigen::Index(i)).dot(ahead) * (free.col(j) - free.col(k));
+  return result;
+}
+
+/// The strain energy is that of kappa - kappa_0; the field is carried along with the tip, while kappa_0 stays where it
+/// is.
+double release_of_free_curvatures(const TipView& plate, const TipFrame& frame, const Ring& ring,
+                                  const plate::State& field, const FreeCurvatures& free) {
+  const auto stiffness = plate::LocalSection(plate.section.at(frame.origin)).bending;
   double sum = 0;
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
     const double r = (plate.positions[k] - frame.origin).norm();
@@ -22,16 +32,14 @@ double release_of_heat(const TipView& plate, const TipFrame& frame, const Ring& 
     const auto theta = plate.gradients(k, field).theta;
     Eigen::Matrix2d psi;  // psi = (-theta_y, theta_x)
     psi << -theta.row(1), theta.row(0);
-    Point slope_of_curvature(0, 0);
-    const auto shares = plate.gradient_shares(k);
-    for (std::size_t i = 0; i < shares.bonds.size(); ++i)
-      if (const auto j = shares.bonds[i].neighbour; j < plate.plate_points)
-        slope_of_curvature += shares.share.col(Eigen::Index(i)) * (curvature[j] - curvature[k]);
-    const double own = curvature[k], trace = psi.trace();
-    const double carried = own * (psi * frame.ahead).dot(slope) - own * (trace + own) * slope.dot(frame.ahead);
-    sum += plate.areas[k] * (carried - ring.extension(r) * (trace + 2 * own) * slope_of_curvature.dot(frame.ahead));
+    const Eigen::Vector3d kappa(psi(0, 0), psi(1, 1), psi(0, 1) + psi(1, 0)), own = free.col(k), M = stiffness * own;
+    Eigen::Matrix2d held;
+    held << M[0], M[2], M[2], M[1];
+    const double carried = -(psi * frame.ahead).dot(held * slope) + (kappa - own / 2).dot(M) * slope.dot(frame.ahead);
+    const double left = (kappa - own).dot(stiffness * change_ahead(plate, k, frame.ahead, free));
+    sum += plate.areas[k] * (carried + ring.extension(r) * left);
   }
-  return plate.section.bending_stiffness() * (1 + plate.section.poisson) * sum;
+  return sum;
 }
 
 TipSurroundings::TipSurroundings(const TipView& plate, const geometry::Tip& tip, double radius)

@@ -12,11 +12,18 @@ using plate::EnergyRelease, plate::NearField, plate::Ring, plate::TipFrame, plat
 /// (J-integral; theory (48)).
 std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFrame& frame, const Ring& ring);
 
-/// Contribution to -dU/da of a ring of a thermal curvature kappa_0 that varies about a tip (theory (80)) [force].
-/// `field`: less the free curvature at the tip; `curvature`: of all points of the plate, less that at the tip
-/// [1 / length].
-double release_of_heat(const TipView& plate, const TipFrame& frame, const Ring& ring, const plate::State& field,
-                       const Eigen::VectorXd& curvature);
+/// Curvatures xx, yy, 2 xy that points would have without a moment, as from heat; in the plane strains that the
+/// deflections give, where displacements are -psi [3 x points].
+using FreeCurvatures = Eigen::Matrix3Xd;
+
+/// Change of free curvatures straight ahead at a point, by its family.
+Eigen::Vector3d change_ahead(const TipView& plate, std::uint32_t k, const geometry::Point& ahead,
+                             const FreeCurvatures& free);
+
+/// Contribution to -dU/da of a ring of free curvatures that vary about a tip (theory (80)) [force]. `field`: less a
+/// free curvature of the whole plate, as `free`.
+double release_of_free_curvatures(const TipView& plate, const TipFrame& frame, const Ring& ring,
+                                  const plate::State& field, const FreeCurvatures& free);
 
 /// Data shared by all integrals about a tip: the points that their extensions may move, and the work of the forces
 /// there.

@@ -66,7 +66,7 @@ public:
   AtTip(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options);
 
   std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
-                               const Eigen::VectorXd* curvature) const;
+                               const Eigen::Matrix3Xd* free) const;
   const std::vector<std::string>& left_out() const { return left_out_; }
   bool works() const { return left_out_.size() < methods_.size(); }
   Eigen::MatrixXd functionals() const;
@@ -93,6 +93,8 @@ private:
   void fit(const geometry::Tip& tip, const TipPlace& place, bool first_only);
   PlateScale scale() const { return {at_.section, view_->spacing, view_->horizon, view_->points_on_faces}; }
   std::vector<FitSrif> fitted(const NearField& field) const;
+  /// Interaction integrals of a plate in its plane whose deflections stretch it: its fields are no free ones.
+  std::vector<FitSrif> interactions(const NearField& field, const FreeCurvatures& free) const;
   /// K1, K2, K3 of the first fit; K3 is zero where a shear layer holds both faces together.
   Eigen::Vector3d of_first(const std::vector<FitSrif>& fits) const;
   Eigen::Vector3d split(const std::vector<FitSrif>& fits, const plate::State& state) const;
@@ -202,6 +204,18 @@ std::vector<FitSrif> TipMethods::AtTip::fitted(const NearField& field) const {
   return result;
 }
 
+std::vector<FitSrif> TipMethods::AtTip::interactions(const NearField& field, const FreeCurvatures& free) const {
+  std::vector<FitSrif> result;
+  if (integrals_.empty()) return result;
+  const auto& around = integrals_.front().rings;
+  const auto all = interaction_integrals(*view_, tip_, at_, around);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const Eigen::Vector3d K = all[i](field) + interaction_of_free_curvatures(*view_, tip_, at_, around[i], free);
+    result.push_back({around[i].inner, around[i].outer, K[0], K[1], K[2]});
+  }
+  return result;
+}
+
 Eigen::MatrixXd TipMethods::AtTip::functionals() const {
   if (fits_.empty()) return {};
   const SeriesFit& fit = fits_.front();
@@ -261,9 +275,10 @@ Srif TipMethods::AtTip::by_fit(const std::vector<FitSrif>& fits) const {
 }
 
 std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
-                                                const Eigen::VectorXd* curvature) const {
+                                                const Eigen::Matrix3Xd* free) const {
   const NearField field(state, view_->positions, surroundings_.centre());
-  const std::vector<FitSrif> fits = fitted(field);
+  const bool stretched = free && at_.section.law == plate::PlateLaw::membrane;
+  const std::vector<FitSrif> fits = stretched ? interactions(field, *free) : fitted(field);
   const Eigen::Vector3d mix = split(fits, state);
   double radius = 0;
   for (const auto& integral : integrals_)
@@ -271,14 +286,16 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
   const Eigen::VectorXd work =
       integrals_.empty() ? Eigen::VectorXd() : surroundings_.forward_work(state, force, radius);
   std::function<double(const Ring&)> heat;
-  if (curvature)
-    heat = [&](const Ring& ring) { return release_of_heat(*view_, surroundings_.frame(), ring, state, *curvature); };
+  if (free)
+    heat = [&](const Ring& ring) {
+      return release_of_free_curvatures(*view_, surroundings_.frame(), ring, state, *free);
+    };
   std::vector<Srif> found;
   for (const auto method : methods_) {
     for (const auto& integral : integrals_)
       if (integral.method == method)
         found.push_back(of(integral, rings_of(integral, all_rings), mix, field, work, heat));
-    if (method == SrifMethod::series_fit && no_fit_.empty()) found.push_back(by_fit(fits));
+    if (method == SrifMethod::series_fit && no_fit_.empty() && !stretched) found.push_back(by_fit(fits));
     for (const auto& opening : openings_)
       if (auto srif = opening(state); srif.method == method) {
         found.push_back(std::move(srif));
@@ -314,8 +331,8 @@ TipMethods& TipMethods::operator=(TipMethods&&) noexcept = default;
 TipMethods::~TipMethods() = default;
 
 std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
-                                         const Eigen::VectorXd* curvature) const {
-  return (*at_tip_)(state, force, all_rings, curvature);
+                                         const Eigen::Matrix3Xd* free) const {
+  return (*at_tip_)(state, force, all_rings, free);
 }
 
 const std::vector<std::string>& TipMethods::left_out() const {

@@ -40,9 +40,10 @@ public:
   ~TipMethods();
 
   /// `force`: internal force of the state (Operator::internal_force). `all_rings` = false: only those that the result
-  /// needs, for curves in time. `curvature`: of heat that varies, less that at the tip, of which the state is cold().
+  /// needs, for curves in time. `free`: curvatures of heat that varies, less that at the tip, of which the state is
+  /// cold(); in the plane the strains of the deflections.
   std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings = true,
-                               const Eigen::VectorXd* curvature = nullptr) const;
+                               const Eigen::Matrix3Xd* free = nullptr) const;
 
   /// Reasons why methods were left out.
   const std::vector<std::string>& left_out() const;
