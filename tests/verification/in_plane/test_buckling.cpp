@@ -1,0 +1,134 @@
+// Loads in the plane at which plates buckle, and frequencies under such loads. References: closed forms of Mindlin's
+// plate, else own programs: Ritz's method with Legendre polynomials, 6 digits; cracked squares by hp finite
+// elements, 5.
+#include "plate/solve/buckling.hpp"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "cases/driver/prepared.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/constraints.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/solve/motion/frequencies.hpp"
+#include "tests/catch.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+using geometry::Point;
+namespace vp = verified_plate;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A rectangle of the sides a and 1, turned [degrees], under membrane forces in units of pi^2 D; points across: n.
+cases::Case loaded(double a, double h, SupportKind kind, const std::array<double, 3>& N, int n, double degrees = 0) {
+  auto c = vp::square(1.0 / n);
+  const Eigen::Rotation2Dd turn(degrees * pi / 180);
+  c.outline.outer.vertices = {turn * Point(0, 0), turn * Point(a, 0), turn * Point(a, 1), turn * Point(0, 1)};
+  c.section = {1, 0.3, h, 5.0 / 6, 1};
+  c.discretization.formulation = &plate::galerkin;
+  c.analysis.kind = cases::Analysis::Kind::buckling;
+  const auto held = vp::held_all_round(kind);
+  c.supports = {held, vp::held(SupportKind::in_plane, {})};
+  const Point middle = turn * Point(a / 2, 0.5), way = turn * Point(1.0 / n, 0);
+  c.supports[1].points = {middle, middle + way};
+  Eigen::Matrix2d tensor;
+  tensor << N[0], N[2], N[2], N[1];
+  tensor = turn * tensor * turn.inverse();
+  EdgeTraction traction{held.edges};
+  const double unit = pi * pi * c.section.bending_stiffness();
+  traction.tensor = std::array{unit * tensor(0, 0), unit * tensor(1, 1), unit * tensor(0, 1)};
+  c.loads = {{traction}};
+  return c;
+}
+
+std::vector<BucklingMode> modes_of(const cases::Case& c, std::size_t count = 1) {
+  const auto found = discretise(c);
+  REQUIRE(found.membrane);
+  return buckling(*found.plate, prestress(*found.membrane), count, 1e-9);
+}
+
+}  // namespace
+
+TEST_CASE("buckling: squares under compression and shear", "[in_plane]") {
+  using enum SupportKind;
+  struct Square {
+    SupportKind kind;
+    std::array<double, 3> N;
+    double factor;  // h = 0.05
+  };
+  const std::vector<Square> squares{{simply_supported_hard, {-1, 0, 0}, 3.9443864},
+                                    {simply_supported_hard, {-1, -1, 0}, 3.9443864 / 2},
+                                    {simply_supported_hard, {0, 0, 1}, 8.9016552},
+                                    {clamped, {-1, 0, 0}, 9.5586812},
+                                    {clamped, {-1, -1, 0}, 5.0865546},
+                                    {clamped, {0, 0, 1}, 13.349245}};
+  for (const auto& [kind, N, factor] : squares)
+    for (const double degrees : {0.0, 30.0}) {
+      INFO("kind " << int(kind) << ", N " << N[0] << " " << N[1] << " " << N[2] << ", turned by " << degrees);
+      const double coarse = modes_of(loaded(1, 0.05, kind, N, 20, degrees)).at(0).factor / factor - 1;
+      const auto fine = modes_of(loaded(1, 0.05, kind, N, 40, degrees)).at(0);
+      CHECK(std::abs(coarse) < 0.05);
+      CHECK(std::abs(fine.factor / factor - 1) < 0.013);
+      CHECK(std::abs(fine.factor / factor - 1) < std::abs(coarse));
+      CHECK(fine.residual < 1e-6);
+      CHECK(fine.shape.row(0).maxCoeff() == 1);
+    }
+}
+
+TEST_CASE("buckling: rectangles of five aspect ratios", "[in_plane]") {
+  const std::vector<std::pair<double, double>> rectangles{
+      {0.5, 6.0371973}, {1, 3.9443864}, {1.5, 4.2569165}, {2, 3.9443864}, {3, 3.9443864}};
+  for (const auto& [a, factor] : rectangles) {
+    INFO("a/b = " << a);
+    const auto c = loaded(a, 0.05, SupportKind::simply_supported_hard, {-1, 0, 0}, 40);
+    CHECK(std::abs(modes_of(c).at(0).factor / factor - 1) < 0.004);
+  }
+}
+
+TEST_CASE("buckling: the flanks of a crack buckle in tension, and a cracked plate earlier in compression",
+          "[in_plane]") {
+  struct Crack {
+    double share;           // 2 a / W, h / W = 0.005
+    double tension, along;  // factors of N_yy = 1 and N_xx = -1, the crack along x
+  };
+  const std::vector<Crack> cracks{{0.3, 63.16733, 3.621039}, {0.5, 19.7858, 3.19409}};
+  for (const auto& [share, tension, along] : cracks) {
+    INFO("2a/W = " << share);
+    for (const bool pulled : {true, false}) {
+      auto c = loaded(1, 0.005, SupportKind::simply_supported_hard,
+                      pulled ? std::array{0.0, 1.0, 0.0} : std::array{-1.0, 0.0, 0.0}, 50);
+      c.supports[1].points = {{0, 0.5}, {0.02, 0.5}};
+      c.cracks = {{{0.5 - share / 2, 0.5}, {0.5 + share / 2, 0.5}}};
+      c.discretization.tip_spacing = 0.005, c.discretization.spacing_growth = 0.1;
+      CHECK(std::abs(modes_of(c).at(0).factor / (pulled ? tension : along) - 1) < 0.01);
+    }
+  }
+}
+
+TEST_CASE("buckling: a plate in tension has no load at which it buckles", "[in_plane]") {
+  CHECK(modes_of(loaded(1, 0.05, SupportKind::simply_supported_hard, {1, 0.5, 0}, 10)).empty());
+}
+
+TEST_CASE("buckling: frequencies go to zero with the load", "[in_plane]") {
+  constexpr double N_cr = 3.9443864;
+  for (const double share : {-0.5, 0.9, -2.0}) {  // of the buckling load; below zero in tension
+    INFO("share " << share);
+    const auto c = loaded(1, 0.05, SupportKind::simply_supported_hard, {-share * N_cr, 0, 0}, 40);
+    const auto found = discretise(c);
+    const auto geometric = prestress(*found.membrane);
+    const StressedPlate stressed(*found.plate, geometric);
+    const auto inverse = found.plate->inverse_of_shifted(1);
+    const FrequencyOptions options{1, 1e-6, 10000, shift_of(c.section, 1), inverse.get(), {}};
+    const Forces mass = found.plate->mass(0);
+    const auto at = [&](const Operator& plate) {
+      return frequencies(plate, found.plate->constraints(), mass, options).modes.at(0).frequency;
+    };
+    const double ratio = std::pow(at(stressed) / at(*found.plate), 2);
+    CHECK(std::abs(ratio - (1 - share)) < 0.006);
+  }
+}

@@ -1,0 +1,136 @@
+// Plates whose middle plane stretches with their deflections. References by own independent programs of the same
+// theory: squares by Ritz's method with Legendre polynomials (Levy's case also by his double sine series), 6 digits;
+// circles by Chebyshev collocation, 8 digits; cracked squares by hp finite elements, 4 digits.
+#include "plate/solve/large_deflections.hpp"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "cases/runs/membrane.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/problem.hpp"
+#include "post/factors/plate_factors.hpp"
+#include "tests/catch.hpp"
+#include "tests/verification/verified_plate.hpp"
+
+using namespace plate;
+using geometry::Point;
+namespace vp = verified_plate;
+
+namespace {
+
+/// The square of side 2 about the origin, turned [degrees], under p = q E h^4 / a^4.
+cases::Case pressed(double q, double h, SupportKind kind, InPlane in_plane, double spacing, double degrees = 0) {
+  auto c = vp::square(spacing);
+  const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
+  for (auto& x : c.outline.outer.vertices) x = turn * x;
+  c.section = {1, 0.3, h, 5.0 / 6, 1};
+  c.discretization.formulation = &plate::galerkin;
+  c.analysis.kind = cases::Analysis::Kind::static_;
+  c.supports = {vp::held_all_round(kind)};
+  c.supports[0].in_plane = in_plane;
+  c.loads = {{Pressure{q * std::pow(h, 4) / 16}}};
+  c.stretches = true;
+  return c;
+}
+
+struct Found {
+  Discretised plates;
+  LargeDeflections state;
+
+  explicit Found(const cases::Case& c) : plates(discretise(c)) {
+    REQUIRE(plates.membrane);
+    state = StretchedPlate(*plates.plate, *plates.membrane).equilibrium({1e-9, {}});
+    REQUIRE(state.converged);
+  }
+  double largest() const { return state.bending.row(0).cwiseAbs().maxCoeff(); }
+  double energy() const { return state.bending_energy + state.membrane_energy; }
+};
+
+struct Square {
+  SupportKind kind;
+  InPlane in_plane;
+  double q, deflection;  // in thicknesses, h / a = 0.02
+};
+
+}  // namespace
+
+TEST_CASE("large deflections: squares with edges of every kind converge to the second order", "[in_plane]") {
+  using enum SupportKind;
+  const std::vector<Square> squares{
+      {simply_supported, InPlane::normal, 15, 0.4972668}, {simply_supported, InPlane::normal, 250, 1.779531},
+      {simply_supported, InPlane::fixed, 250, 1.778002},  {simply_supported, InPlane::free, 250, 3.803937},
+      {clamped, InPlane::fixed, 250, 1.520717},           {clamped, InPlane::free, 250, 2.131485}};
+  for (const auto& one : squares) {
+    INFO("kind " << int(one.kind) << ", in the plane " << int(one.in_plane) << ", q " << one.q);
+    std::array<double, 2> errors{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Found found(pressed(one.q, 0.04, one.kind, one.in_plane, i == 0 ? 0.1 : 0.05));
+      errors[i] = found.largest() / 0.04 / one.deflection - 1;
+      CHECK(std::abs(found.state.external_work / found.energy() - 1) < 0.01);
+      CHECK(found.state.steps.back().stable);
+      CHECK_FALSE(found.state.snapped());
+    }
+    CHECK(std::abs(errors[0]) < 0.03);
+    CHECK(std::abs(errors[1]) < 0.008);
+  }
+}
+
+TEST_CASE("large deflections: small loads give linear theory, and the state goes with the plate", "[in_plane]") {
+  using enum SupportKind;
+  const auto c = pressed(1e-4, 0.04, clamped, InPlane::fixed, 0.1);
+  const Found small(c);
+  const auto linear = vp::solved(*discretise(c).plate);
+  CHECK((small.state.bending - linear.state).norm() < 1e-6 * linear.state.norm());
+
+  const Found straight(pressed(250, 0.04, simply_supported, InPlane::fixed, 0.1));
+  const Found up(pressed(-250, 0.04, simply_supported, InPlane::fixed, 0.1));
+  CHECK((straight.state.bending + up.state.bending).norm() < 1e-9 * straight.state.bending.norm());
+  CHECK((straight.state.membrane - up.state.membrane).norm() < 1e-9 * straight.state.membrane.norm());
+  const Found turned(pressed(250, 0.04, simply_supported, InPlane::fixed, 0.1, 45));
+  CHECK(std::abs(turned.largest() / straight.largest() - 1) < 0.02);
+}
+
+TEST_CASE("large deflections: a plate that nothing holds in its plane is pinned without a force", "[in_plane]") {
+  const Found found(pressed(60, 0.04, SupportKind::simply_supported, InPlane::free, 0.1));
+  const auto& membrane = *found.plates.membrane;
+  CHECK_FALSE(membrane.held());
+  Forces left;
+  membrane.internal_force(found.state.membrane, left);
+  left += found.state.stretch.forces;
+  CHECK(left.cwiseAbs().maxCoeff() < 1e-8 * found.state.stretch.forces.cwiseAbs().maxCoeff());
+}
+
+TEST_CASE("large deflections: factors of a cracked square are within their estimated errors", "[in_plane]") {
+  struct Crack {
+    double a, q, K1, N1;  // q = p / (E h^4), K1 over E h^4, N1 over E h^3; half the side is 1
+  };
+  const std::vector<Crack> cracks{{0.3, 3, 0.07114803, 0.3578126}, {0.5, 20, 0.1211345, 1.75249}};
+  for (const auto& [a, q, K1, N1] : cracks)
+    for (const double degrees : {0.0, 30.0}) {
+      INFO("a " << a << ", turned by " << degrees);
+      const double h = 0.02;
+      auto c = pressed(16 * q, h, SupportKind::simply_supported, InPlane::fixed, 0.05, degrees);
+      const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
+      c.cracks = {{turn * Point(-a, 0), turn * Point(a, 0)}};
+      c.discretization.tip_spacing = h / 12, c.discretization.spacing_growth = 0.1;
+      c.srif.emplace();
+      const Found found(c);
+      const auto bending = post::srifs(*found.plates.plate, *c.srif, cases::tip_methods({c, {}}, *found.plates.plate),
+                                       found.state.bending);
+      const auto methods = cases::tip_methods({c, {}}, *found.plates.membrane);
+      const auto in_plane = cases::membrane_results(*found.plates.membrane, found.state.membrane,
+                                                    found.plates.membrane->total_load() + found.state.stretch.forces,
+                                                    {c.srif, methods}, "", &found.state.stretch);
+      for (const auto* one : post::recommended(bending)) {
+        CHECK(std::abs(one->K1 / (std::pow(h, 4) * K1) - 1) < 0.01);
+        CHECK(std::abs(one->K1 - std::pow(h, 4) * K1) < one->errors[0].value());
+      }
+      for (const auto* one : post::recommended(in_plane.factors)) {
+        CHECK(std::abs(one->K1 / (std::pow(h, 3) * N1) - 1) < 0.003);
+        CHECK(std::abs(one->K1 - std::pow(h, 3) * N1) < one->errors[0].value());
+      }
+    }
+}
