@@ -73,7 +73,7 @@ State shape_of(const VectorXd& values, const Unknowns& unknowns, const Formulati
 
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance) {
-  constexpr double none = 1e-12;  // of the largest |1 / factor|: rounding
+  constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
   constexpr Eigen::Index most_restarts = 300;
   const auto folded_stiffness = folded(plate.stiffness(), plate.constraints());
   const Forces diagonal = folded_diagonal(plate, plate.constraints());
@@ -93,9 +93,10 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
   const auto norm = [&](const VectorXd& force) { return std::sqrt(force.cwiseAbs2().dot(weight)); };
   const VectorXd inverse_factors = lanczos.eigenvalues();
   const Eigen::MatrixXd vectors = lanczos.eigenvectors();
+  const double largest = K_g.diagonal().cwiseAbs().cwiseProduct(weight).maxCoeff();
   std::vector<BucklingMode> result;
   for (Eigen::Index i = 0; i < inverse_factors.size(); ++i) {
-    if (!(inverse_factors[i] > none * inverse_factors.cwiseAbs().maxCoeff())) break;
+    if (!(inverse_factors[i] > none * largest)) break;
     const VectorXd x = vectors.col(i), bent = product(K, x.data());
     const double factor = 1 / inverse_factors[i];
     result.push_back({factor, norm(bent + factor * product(K_g, x.data())) / norm(bent), shape_of(x, all, plate)});

@@ -38,7 +38,7 @@ inline constexpr double interaction_error = 0.6;
 std::vector<SeriesFit> interaction_integrals(const TipView& plate, const geometry::Tip& tip, const TipSection& at,
                                              const std::vector<Ring>& rings);
 
-/// What free curvatures that vary add to those of a ring.
+/// Part of free curvatures that vary in those of a ring.
 Eigen::Vector3d interaction_of_free_curvatures(const TipView& plate, const geometry::Tip& tip, const TipSection& at,
                                                const Ring& ring, const FreeCurvatures& free);
 

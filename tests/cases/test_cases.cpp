@@ -59,7 +59,9 @@ void check_files(const fs::path& folder, const cases::Case& c) {
   }
   const bool frequencies = c.analysis.kind == cases::Analysis::Kind::frequencies;
   const bool swings = c.analysis.kind == cases::Analysis::Kind::harmonic;
-  CHECK(fs::exists(folder / "history.csv") == !(frequencies || swings));
+  const bool buckles = c.analysis.kind == cases::Analysis::Kind::buckling;
+  CHECK(fs::exists(folder / "history.csv") == !(frequencies || swings || buckles));
+  CHECK(fs::exists(folder / "buckling.csv") == buckles);
   CHECK(fs::exists(folder / "response.csv") == swings);
   CHECK(fs::exists(folder / "impact.csv") == c.impact.has_value());
   CHECK(fs::exists(folder / "frequencies.csv") == frequencies);

@@ -55,6 +55,10 @@ std::vector<Sample> samples() {
        "{ kind = 'point_force', value = 1, path = [[0.5, 0.3], [0.5, 0.8]], speed = 1, history = 'ramp', rise_time = "
        "0.1 }"},
       {load_in_plane, {}, "{ kind = 'edge_traction', edges = ['right'], value = 1 }"},
+      {large_deflections, {{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}}},
+      {buckling,
+       {{"analysis.kind", "buckling"}, {"discretization.formulation", "galerkin"}},
+       "{ kind = 'edge_traction', edges = ['right'], value = 1 }"},
       {unilateral_foundation, {{"foundation", "[{ modulus = 1, lifts_off = true }]"}}},
       {temperature, {{"section.thermal_expansion", "1e-5"}}, "{ kind = 'temperature', value = 1 }"},
       {load_cases, {{"case", "[{ name = 'a', load = [{ kind = 'pressure', value = 1 }] }]"}}},
@@ -97,7 +101,10 @@ std::optional<std::vector<std::string>> settings_of(const std::vector<const Samp
   if (unloaded && loads.empty())
     result.push_back("-load");
   else
-    result.push_back("load=[{ kind = 'pressure', value = 1 }" + loads + "]");
+    result.push_back((all.contains("analysis.kind") && all["analysis.kind"] == "buckling"
+                          ? "load=[" + loads.substr(2)
+                          : "load=[{ kind = 'pressure', value = 1 }" + loads) +
+                     "]");
   for (const auto& [key, value] : all) result.push_back(key + "=" + value);
   return result;
 }

@@ -12,5 +12,5 @@ TEST_CASE("field: bounds in words") {
 TEST_CASE("field: kinds of analysis in words") {
   CHECK(cases::analyses({plate::Analysis::Kind::static_, plate::Analysis::Kind::frequencies}) ==
         "statics and frequencies");
-  CHECK(cases::kind_names(cases::any_kind) == "static, dynamic, frequencies, harmonic");
+  CHECK(cases::kind_names(cases::any_kind) == "static, dynamic, frequencies, harmonic, buckling");
 }
