@@ -179,15 +179,21 @@ const Words<Analysis::Kind>& analysis_kinds() {
   return words;
 }
 
+namespace {
+
+/// A field that is not written where the method has no use for it.
+Field<Analysis> unless(Field<Analysis> field, Analysis::Method method) {
+  field.write = [write = field.write, method](const Analysis& analysis, Analysis::Kind kind) {
+    return analysis.method == method ? std::string() : write(analysis, kind);
+  };
+  return field;
+}
+
+}  // namespace
+
 Fields<Analysis> analysis_fields() {
   using A = Analysis;
   const Kinds iterative{A::Kind::static_, A::Kind::frequencies};
-  const auto unless = [](Field<A> field, A::Method method) {
-    field.write = [write = field.write, method](const A& analysis, A::Kind kind) {
-      return analysis.method == method ? std::string() : write(analysis, kind);
-    };
-    return field;
-  };
   return {
       choice<A, A::Kind>(
           "kind", &A::kind, analysis_kinds(),

@@ -16,7 +16,6 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
-#include "plate/solve/buckling.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -265,23 +264,6 @@ void SinglePlate::solve_dynamic() {
   summary.analysis.stop_reason = "end of the duration";
 }
 
-/// Frequencies of a plate that its membrane forces stiffen or soften.
-plate::FrequencySolution frequencies_under_load(const plate::Formulation& membrane, const plate::Formulation& plate,
-                                                const plate::Forces& mass, const plate::FrequencyOptions& options) {
-  const auto geometric = plate::prestress(membrane);
-  const plate::StressedPlate stressed(plate, geometric);
-  const char* const buckled =
-      "the plate buckles below these loads and has no frequencies: find them by kind = \"buckling\"";
-  try {
-    auto result = plate::frequencies(stressed, plate.constraints(), mass, options);
-    if (plate.held() && std::ranges::any_of(result.modes, [](const auto& mode) { return mode.frequency == 0; }))
-      throw plate::NumericalError(buckled);
-    return result;
-  } catch (const plate::NotPositive&) {
-    throw plate::NumericalError(buckled);
-  }
-}
-
 void SinglePlate::solve_frequencies() {
   auto& summary = this->summary();
   const auto [low, high] = geometry::bounding_box(content().outline);
@@ -297,7 +279,7 @@ void SinglePlate::solve_frequencies() {
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = analysis_.tolerance;
   const auto mass = plate_.mass(analysis_.rotary_inertia);
-  const auto solution = ready_.membrane ? frequencies_under_load(*ready_.membrane, plate_, mass, options)
+  const auto solution = ready_.membrane ? plate::frequencies_under_load(*ready_.membrane, plate_, mass, options)
                                         : plate::frequencies(plate_, plate_.constraints(), mass, options);
   progress.done();
   stopwatch().lap("solve");

@@ -11,7 +11,6 @@
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/formulation/stretching.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
@@ -145,14 +144,6 @@ std::size_t Formulation::fictitious_points() const {
 
 std::unique_ptr<Preconditioner> Formulation::inverse_of_shifted(double) const {
   return held() && distributed() ? preconditioner(Preconditioning::automatic).inverse : nullptr;  // as at rest
-}
-
-PointMatrix Formulation::stiffness() const {
-  throw std::logic_error("a stiffness was asked of a formulation that does not offer it");
-}
-
-std::unique_ptr<Stretching> Formulation::stretching() const {
-  throw std::logic_error("large deflections were asked of a formulation that does not offer them");
 }
 
 std::unique_ptr<Preconditioner> Formulation::factor() const {

@@ -1,6 +1,6 @@
 #pragma once
 #include "plate/formulation/sections.hpp"
-#include "plate/formulation/stretching.hpp"
+#include "plate/solve/stretching.hpp"
 #include "plate/galerkin/families.hpp"
 
 namespace plate {

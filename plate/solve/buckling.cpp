@@ -1,15 +1,17 @@
 #include "plate/solve/buckling.hpp"
 
 #include <Spectra/SymGEigsSolver.h>
+#include <algorithm>
 #include <cmath>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/stretching.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/statics.hpp"
+#include "plate/solve/stretching.hpp"
 
 namespace plate {
 namespace {
@@ -111,6 +113,22 @@ PointMatrix prestress(const Formulation& membrane) {
                                   {tolerance, iterations, {}});
   if (!found.solution.converged) throw NumericalError("in the plane: " + found.solution.stop_reason);
   return membrane.stretching()->geometric_stiffness(found.solution.state);
+}
+
+FrequencySolution frequencies_under_load(const Formulation& membrane, const Formulation& plate, const Forces& mass,
+                                         const FrequencyOptions& options) {
+  const auto geometric = prestress(membrane);
+  const StressedPlate stressed(plate, geometric);
+  const char* const buckled =
+      "the plate buckles below these loads and has no frequencies: find them by kind = \"buckling\"";
+  try {
+    auto result = frequencies(stressed, plate.constraints(), mass, options);
+    if (plate.held() && std::ranges::any_of(result.modes, [](const auto& mode) { return mode.frequency == 0; }))
+      throw NumericalError(buckled);
+    return result;
+  } catch (const NotPositive&) {
+    throw NumericalError(buckled);
+  }
 }
 
 void StressedPlate::internal_force(const State& state, Forces& forces) const {

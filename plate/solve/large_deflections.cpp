@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -139,6 +140,14 @@ State solution(const Factor& factor, const Unknowns& unknowns, const Forces& for
 }
 
 }  // namespace
+
+PointMatrix Formulation::stiffness() const {
+  throw std::logic_error("a stiffness was asked of a formulation that does not offer it");
+}
+
+std::unique_ptr<Stretching> Formulation::stretching() const {
+  throw std::logic_error("large deflections were asked of a formulation that does not offer them");
+}
 
 bool LargeDeflections::snapped() const {
   return std::ranges::any_of(steps, &LoadStep::snapped);

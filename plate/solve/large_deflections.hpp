@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/formulation/stretching.hpp"
+#include "plate/solve/stretching.hpp"
 #include "plate/solve/load_step.hpp"
 #include "plate/solve/matrices/factor.hpp"
 

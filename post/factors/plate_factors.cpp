@@ -10,7 +10,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/stretching.hpp"
+#include "plate/solve/stretching.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"

@@ -6,6 +6,7 @@
 namespace plate {
 
 class Constraints;
+class Formulation;
 struct Section;
 
 struct FrequencyOptions {
@@ -40,5 +41,10 @@ double shift_of(const Section& section, double length);
 /// std::invalid_argument where the plate has too few degrees of freedom or the shift is not positive.
 FrequencySolution frequencies(const Operator& plate, const Constraints& constraints, const Forces& mass,
                               const FrequencyOptions& options);
+
+/// Frequencies of a plate under loads in its plane, which stiffen or soften it. `membrane`: the plate in its plane.
+/// @throws NumericalError  as frequencies(), and where the plate buckles below these loads
+FrequencySolution frequencies_under_load(const Formulation& membrane, const Formulation& plate, const Forces& mass,
+                                         const FrequencyOptions& options);
 
 }  // namespace plate

@@ -28,7 +28,7 @@ public:
   virtual PointMatrix stiffness(const State& bending, const State& membrane) const = 0;
   /// Stiffness of the deflections under the membrane forces of a plate that is still flat.
   virtual PointMatrix geometric_stiffness(const State& membrane) const = 0;
-  /// What deflections do to the plane.
+  /// Strains and loads that deflections give the plane.
   virtual Stretch stretch(const State& bending) const = 0;
   /// Nxx, Nyy, Nxy of every point [force/length].
   virtual Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const = 0;
