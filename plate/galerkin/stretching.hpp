@@ -1,7 +1,7 @@
 #pragma once
 #include "plate/formulation/sections.hpp"
-#include "plate/solve/stretching.hpp"
 #include "plate/galerkin/families.hpp"
+#include "plate/solve/stretching.hpp"
 
 namespace plate {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/solve/stretching.hpp"
 #include "plate/solve/load_step.hpp"
 #include "plate/solve/matrices/factor.hpp"
+#include "plate/solve/stretching.hpp"
 
 namespace plate {
 

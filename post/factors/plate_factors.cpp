@@ -10,11 +10,11 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/solve/stretching.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/stretching.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/tip_integrals.hpp"
 
