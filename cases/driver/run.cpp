@@ -124,6 +124,9 @@ post::Table energy_check(const CaseFile& file) {
   if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
     throw CaseError(
         {{file.place("analysis.kind"), "analysis.kind", "the energy check needs a static case, of one load"}});
+  if (c.analysis.nonlinear)
+    throw CaseError({{file.place("analysis.nonlinear"), "analysis.nonlinear",
+                      "the energy check solves linear plates: srif.csv of the run has the factors of this one"}});
   return unless_refused(file, [&] { return energy_check(c, c.analysis); });
 }
 

@@ -6,8 +6,6 @@
 
 #include "cases/input/case_file.hpp"
 #include "plate/formulations.hpp"
-#include "plate/model/membrane.hpp"
-#include "plate/model/nodal_forces.hpp"
 
 namespace cases {
 namespace {
@@ -229,11 +227,11 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
   add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
-  add(plate::loaded_in_plane(content), load_in_plane);
+  add(any_load([](const auto& load) { return load.in_plane(); }), load_in_plane);
   add(a.nonlinear, large_deflections);
   add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);
-  add(plate::heated(content), temperature);
+  add(any_load([](const auto& load) { return load.template as<plate::Temperature>() != nullptr; }), temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
   add(!content.combinations.empty(), combinations);
   add(!content.section.simple(), varied_section);

@@ -54,7 +54,7 @@ MembraneResult LargeDeflectionRun::in_plane(const plate::LargeDeflections& found
 }
 
 void LargeDeflectionRun::warn(const plate::LargeDeflections& found) {
-  constexpr double moderate = 0.3;
+  constexpr double moderate = 0.3, coarse = 0.05;
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const auto& step = found.steps[i];
@@ -65,6 +65,13 @@ void LargeDeflectionRun::warn(const plate::LargeDeflections& found) {
   }
   if (!found.steps.empty() && !found.steps.back().stable)
     lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
+  const double strain = found.bending_energy + found.membrane_energy,
+               apart = std::abs(found.external_work / strain - 1);
+  if (strain > 0 && !found.snapped() && apart > coarse)
+    lines.push_back(
+        fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
+                    "that grows with the loads; see load_steps.csv",
+                    100 * apart));
   const double turn = found.bending.bottomRows(2).colwise().norm().maxCoeff();
   if (turn > moderate)
     lines.push_back(fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; reduce the loads",
@@ -88,7 +95,7 @@ void LargeDeflectionRun::solve() {
   auto& about = summary.analysis;
   about.method = "newton", about.iterations = found.iterations, about.tolerance = analysis.tolerance;
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
-  summary.load_steps = found.steps;
+  summary.load_steps = table_of(found.steps);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
   const double strain = found.bending_energy + found.membrane_energy;
   plate::Instant end{found.iterations, 0, found.bending, {}, 0, found.external_work, strain, 0, 0};
@@ -106,7 +113,7 @@ void LargeDeflectionRun::solve() {
 }
 
 void LargeDeflectionRun::finish() {
-  outputs_.recorder().table("load_steps", table_of(summary().load_steps));
+  outputs_.recorder().table("load_steps", summary().load_steps);
   results_.finish();
 }
 

@@ -22,6 +22,7 @@ std::string lacking_whole(const Case& c, const std::string& name) {
   if (name == "frequency") return modes ? "" : "the case has no frequencies";
   if (!c.load_cases.empty()) return "the case has load cases: envelope.csv and srif.csv have their factors";
   if (modes) return "the case has frequencies only";
+  if (c.analysis.kind == plate::Analysis::Kind::buckling) return "the case has buckling loads: buckling.csv has them";
   if (c.analysis.kind == plate::Analysis::Kind::harmonic)
     return "the case has a response over frequencies: response.csv has it";
   if (name.ends_with("_peak") && (!c.moves() || c.growth)) return "peaks in time are of dynamic cases without growth";
@@ -35,7 +36,7 @@ std::string lacking_whole(const Case& c, const std::string& name) {
 std::string lacking(const Case& c, const post::Quantity& quantity) {
   if (auto why = lacking_whole(c, quantity.name); !why.empty()) return why;
   const auto& name = quantity.name;
-  if ((name == "N1" || name == "N2" || name == "u" || name == "v") && !plate::loaded_in_plane(c))
+  if ((name == "N1" || name == "N2" || name == "u" || name == "v") && !c.stretches && !plate::loaded_in_plane(c))
     return "the case has no loads in the plane";
   if (quantity.probe && !c.output.probes.contains(*quantity.probe))
     return fmt::format("the case has no probe \"{}\"", *quantity.probe);

@@ -5,13 +5,23 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/solve/load_step.hpp"
 #include "plate/solve/matrices/factor.hpp"
 #include "plate/solve/stretching.hpp"
 
 namespace plate {
 
 class Formulation;
+
+/// An equilibrium on the way to the full load.
+struct LoadStep {
+  double factor = 0;  // of all loads
+  std::size_t iterations = 0;
+  double residual = 0;            // relative to the load
+  double largest_deflection = 0;  // |w| of any point [length]
+  double strain_energy = 0;
+  bool stable = true;    // the stiffness is positive there
+  bool snapped = false;  // on the way from the step before it was not
+};
 
 /// Limits of the search for an equilibrium with large deflections.
 struct LargeDeflectionOptions {

@@ -12,6 +12,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
+#include "plate/solve/stretching.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/hdf5/state_file.hpp"
@@ -165,13 +166,16 @@ plate::State state_in_plane(const plate::Formulation& membrane, const Eigen::Mat
   return state;
 }
 
-/// Adds the factors in the plane of a frame.
+/// Adds the factors in the plane of a frame, with the strains of large deflections. `bending`: state of the plate.
 void add_in_plane(std::vector<Srif>& found, const PlateInPlane& in_plane, const Eigen::Matrix2Xd& displacement,
-                  const plate::Section& section, const SrifOptions& options) {
+                  const plate::State& bending, const SrifOptions& options) {
   const auto& [membrane, methods] = in_plane;
-  const auto stretched = srifs(membrane, options, methods, state_in_plane(membrane, displacement));
+  std::optional<plate::Stretch> stretch;
+  if (membrane.problem().stretches) stretch = membrane.stretching()->stretch(bending);
+  const auto stretched = srifs(membrane, options, methods, state_in_plane(membrane, displacement), true, nullptr,
+                               stretch ? &*stretch : nullptr);
   require_finite(stretched, "in the plane");
-  add_membrane(found, stretched, section);
+  add_membrane(found, stretched, membrane.problem().section);
 }
 
 }  // namespace
@@ -193,7 +197,7 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
     if (plate::has_prescribed_displacements(plate)) state += lift_of_frame(frame, run.times[frame], plate);
     const auto heat = heat_of_frame(frame, run.times[frame], plate);
     auto found = srifs(plate, options, methods, state, true, &heat);
-    if (in_plane) add_in_plane(found, *in_plane, run.displacements[frame], plate.problem().section, options);
+    if (in_plane) add_in_plane(found, *in_plane, run.displacements[frame], state, options);
     require_finite(found, fmt::format("at time {:g}", run.times[frame]));
     if (names.empty()) {
       append(table, run.times[frame], found);

@@ -163,14 +163,19 @@ Json json_of(const BucklingFactor& one) {
   return json;
 }
 
-Json json_of(const plate::LoadStep& step) {
-  return {{"factor", step.factor},
-          {"iterations", step.iterations},
-          {"residual", step.residual},
-          {"largest_deflection", step.largest_deflection},
-          {"strain_energy", step.strain_energy},
-          {"stable", step.stable},
-          {"snapped", step.snapped}};
+/// A list of the rows, by the names of the columns.
+Json json_of(const Table& table) {
+  Json list = Json::array();
+  for (const auto& row : table.rows) {
+    Json one;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto* number = std::get_if<double>(&row[i]);
+      const auto* word = std::get_if<std::string>(&row[i]);
+      one[table.columns[i]] = number ? Json(*number) : word ? Json(*word) : Json();
+    }
+    list.push_back(std::move(one));
+  }
+  return list;
 }
 
 Json json_of(const MembraneSummary& membrane) {
@@ -324,7 +329,7 @@ std::string to_json(const Summary& summary) {
     json["buckling"] = Json::array();
     for (const auto& one : summary.buckling) json["buckling"].push_back(json_of(one));
   }
-  for (const auto& one : summary.load_steps) json["load_steps"].push_back(json_of(one));
+  if (!summary.load_steps.rows.empty()) json["load_steps"] = json_of(summary.load_steps);
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));
   if (!summary.resonances.empty()) json["resonances"] = summary.resonances;
   if (summary.membrane) json["membrane"] = json_of(*summary.membrane);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
-#include "plate/solve/load_step.hpp"
 #include "post/factors/accuracy.hpp"
+#include "post/files/table.hpp"
 
 namespace plate {
 enum class AnalysisKind;
@@ -202,7 +202,7 @@ struct Summary {
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis
   std::vector<BucklingFactor> buckling;                // of a buckling analysis
-  std::vector<plate::LoadStep> load_steps;             // of large deflections
+  Table load_steps;                                    // of large deflections, as load_steps.csv
   std::vector<ResponsePeak> response;                  // of a harmonic analysis
   std::vector<double> resonances;                      // likewise, within the sweep [1/time]
   std::optional<GrowthSummary> growth;                 // of a case with growth

@@ -288,6 +288,18 @@ void largest_of_cases(Text out, const std::vector<EnvelopeEntry>& envelope, doub
   }
 }
 
+std::string printed_load_steps(const Table& steps) {
+  std::vector<TextColumn> columns;
+  for (std::size_t i = 0; i < steps.columns.size(); ++i) {
+    auto& column = columns.emplace_back(TextColumn{steps.columns[i], true});
+    for (const auto& row : steps.rows) {
+      const auto* number = std::get_if<double>(&row[i]);
+      column.cells.push_back(number ? fmt::format("{:.6g}", *number) : std::get<std::string>(row[i]));
+    }
+  }
+  return aligned(columns);
+}
+
 }  // namespace
 
 std::string printed(const Summary& summary, bool si, double thickness, const std::filesystem::path& folder) {
@@ -325,19 +337,12 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   for (const auto& one : summary.buckling)
     fmt::format_to(out, "{:>4} {:>15.8g} {:>9.1e} {:>9}\n", one.mode, one.factor, one.residual,
                    one.error ? fmt::format("{:.2g} %", 100 * *one.error / one.factor) : "");
-  if (!summary.load_steps.empty())
-    fmt::format_to(out, "{:>11} {:>10} {:>13} {:>9}\n", "load factor", "iterations", "largest w", "residual");
-  for (const auto& step : summary.load_steps)
-    fmt::format_to(out, "{:>11.5f} {:>10} {:>13.6g} {:>9.1e}{}\n", step.factor, step.iterations,
-                   step.largest_deflection, step.residual,
-                   step.snapped  ? "  snapped"
-                   : step.stable ? ""
-                                 : "  unstable");
+  if (!summary.load_steps.rows.empty()) text += printed_load_steps(summary.load_steps);
   text += printed_responses(summary.response, si);
   if (!summary.resonances.empty()) fmt::format_to(out, "resonances: {:.6g}\n", fmt::join(summary.resonances, ", "));
   if (summary.growth) growth(out, *summary.growth);
   if (const auto share = summary.deflection_over_thickness;
-      share && !si && summary.load_steps.empty() && *share > small_deflection)
+      share && !si && summary.load_steps.rows.empty() && *share > small_deflection)
     fmt::format_to(
         out, "largest deflection is {:.2g} x thickness; linear plate theory is reliable up to about {:g} x thickness\n",
         *share, small_deflection);

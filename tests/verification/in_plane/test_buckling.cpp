@@ -86,7 +86,7 @@ TEST_CASE("buckling: rectangles of five aspect ratios", "[in_plane]") {
   for (const auto& [a, factor] : rectangles) {
     INFO("a/b = " << a);
     const auto c = loaded(a, 0.05, SupportKind::simply_supported_hard, {-1, 0, 0}, 40);
-    CHECK(std::abs(modes_of(c).at(0).factor / factor - 1) < 0.02);  // measured: 0.7 % at a/b = 0.5
+    CHECK(std::abs(modes_of(c).at(0).factor / factor - 1) < 0.008);  // measured: 0.68 % at a/b = 0.5
   }
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("buckling: the flanks of a crack buckle in tension, and a cracked plat
       c.supports[1].points = {{0, 0.5}, {0.02, 0.5}};
       c.cracks = {{{0.5 - share / 2, 0.5}, {0.5 + share / 2, 0.5}}};
       c.discretization.tip_spacing = 0.005, c.discretization.spacing_growth = 0.1;
-      CHECK(std::abs(modes_of(c).at(0).factor / (pulled ? tension : along) - 1) < 0.03);  // measured: 2.1 %
+      CHECK(std::abs(modes_of(c).at(0).factor / (pulled ? tension : along) - 1) < 0.023);  // measured: 2.1 %
     }
   }
 }
@@ -120,15 +120,17 @@ TEST_CASE("buckling: frequencies go to zero with the load", "[in_plane]") {
     INFO("share " << share);
     const auto c = loaded(1, 0.05, SupportKind::simply_supported_hard, {-share * N_cr, 0, 0}, 40);
     const auto found = discretise(c);
-    const auto geometric = prestress(*found.membrane);
-    const StressedPlate stressed(*found.plate, geometric);
     const auto inverse = found.plate->inverse_of_shifted(1);
     const FrequencyOptions options{1, 1e-6, 10000, shift_of(c.section, 1), inverse.get(), {}};
     const Forces mass = found.plate->mass();
-    const auto at = [&](const Operator& plate) {
-      return frequencies(plate, found.plate->constraints(), mass, options).modes.at(0).frequency;
-    };
-    const double ratio = std::pow(at(stressed) / at(*found.plate), 2);
-    CHECK(std::abs(ratio - (1 - share)) < 0.03);
+    const double free = frequencies(*found.plate, found.plate->constraints(), mass, options).modes.at(0).frequency;
+    const auto of_stressed = frequencies_under_load(*found.membrane, *found.plate, mass, options);
+    CHECK(std::abs(std::pow(of_stressed.modes.at(0).frequency / free, 2) - (1 - share)) <
+          0.006);  // measured: 0.0052 in tension
   }
+  const auto c = loaded(1, 0.05, SupportKind::simply_supported_hard, {-1.1 * N_cr, 0, 0}, 10);
+  const auto found = discretise(c);
+  const auto inverse = found.plate->inverse_of_shifted(1);
+  const FrequencyOptions options{1, 1e-6, 10000, shift_of(c.section, 1), inverse.get(), {}};
+  CHECK_THROWS_AS(frequencies_under_load(*found.membrane, *found.plate, found.plate->mass(), options), NumericalError);
 }

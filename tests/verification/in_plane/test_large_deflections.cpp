@@ -1,6 +1,6 @@
 // Plates whose middle plane stretches with their deflections. References by own independent programs of the same
 // theory: squares by Ritz's method with Legendre polynomials (Levy's case also by his double sine series), 6 digits;
-// circles by Chebyshev collocation, 8 digits; cracked squares by hp finite elements, 4 digits.
+// cracked squares by hp finite elements, 4 digits.
 #include "plate/solve/large_deflections.hpp"
 
 #include <Eigen/Geometry>

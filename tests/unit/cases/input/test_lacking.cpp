@@ -33,6 +33,7 @@ TEST_CASE("lacking: N1, N2, u and v are of cases with loads in the plane") {
   CHECK(lack(with_factors, {"u", {}, "middle"}, pulled) == "");
   CHECK(lack(with_factors, {"N1", 1}) == "the case has no loads in the plane");
   CHECK(lack(with_factors, {"v", {}, "middle"}) == "the case has no loads in the plane");
+  CHECK(lack(with_factors, {"N1", 1}, {"analysis.nonlinear=true"}) == "");
 }
 
 TEST_CASE("lacking: frequencies, peaks and growth are of their analyses") {
