@@ -279,6 +279,7 @@ void SinglePlate::solve_frequencies() {
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = analysis_.tolerance;
   const auto mass = plate_.mass(analysis_.rotary_inertia);
+  if (ready_.membrane) results_.outputs().warn(warnings_about_pressed_faces(*ready_.membrane, analysis_));
   const auto solution = ready_.membrane ? plate::frequencies_under_load(*ready_.membrane, plate_, mass, options)
                                         : plate::frequencies(plate_, plate_.constraints(), mass, options);
   progress.done();

@@ -212,10 +212,12 @@ std::vector<std::string> LoadCases::warnings() const {
   for (const auto& row : factors_in_plane_) take(stretched, row, h);
   std::vector<std::string> result;
   std::set<std::string> warned;  // what about
-  const auto tell = [&](const std::string& name, const std::string& before, const std::vector<std::string>& said) {
-    for (const auto& text : said)
-      if (warned.insert(before + text.substr(0, text.find_first_of("0123456789", text.find(": ")))).second)
-        result.push_back(fmt::format("load case {}: {}{}", name, before, text));
+  const auto tell = [&](const std::string& name, const std::vector<std::string>& said) {
+    for (const auto& text : said) {
+      const auto place = text.starts_with("in the plane: ") ? text.find(": ", text.find(": ") + 1) : text.find(": ");
+      if (warned.insert(text.substr(0, text.find_first_of("0123456789", place))).second)
+        result.push_back(fmt::format("load case {}: {}", name, text));
+    }
   };
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const auto& one = found_[i];
@@ -229,11 +231,13 @@ std::vector<std::string> LoadCases::warnings() const {
     if (one.reactions && one.reactions->largest_residual > close)
       said.push_back(
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
-    tell(one.name, "", said);
+    tell(one.name, said);
     if (!ready_.membrane) continue;
-    tell(one.name, "", warnings_about_overlaps(one.srif));
+    tell(one.name, warnings_about_overlaps(one.srif));
     const auto in_plane = of_loaded_tips(factors_in_plane_[i], stretched, h);
-    tell(one.name, factors_in_plane, post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy()));
+    auto of_factors = post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy());
+    std::ranges::transform(of_factors, of_factors.begin(), of_plane);
+    tell(one.name, of_factors);
   }
   return result;
 }
@@ -388,8 +392,7 @@ void LoadCases::finish() {
   summary.load_cases = std::move(found_);
   post::conclude(summary, {section, content().srif, content().si(), recorder.history(), {}, {}});
   outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
-  for (const auto& line : post::left_out(plate_.tips(), ready_.membrane_methods))
-    outputs_.warn({factors_in_plane + line});
+  for (const auto& line : post::left_out(plate_.tips(), ready_.membrane_methods)) outputs_.warn({of_plane(line)});
   outputs_.warn(said);
   outputs_.warn(warnings_);
 }

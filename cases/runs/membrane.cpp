@@ -48,7 +48,7 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
     for (const auto& some :
          {post::left_out(membrane.tips(), methods),
           post::warnings_about_factors(result.factors, {}, membrane.section().thickness, membrane.remedy())})
-      for (const auto& line : some) result.warnings.push_back(factors_in_plane + line);
+      for (const auto& line : some) result.warnings.push_back(of_plane(line));
     post::require_finite(result.factors, where);
   }
   auto& summary = result.summary;
@@ -92,6 +92,31 @@ void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const pla
                   const MembraneResult& result) {
   frame.resultants.von_mises = plate::von_mises(frame.resultants, plate.sections(), result.forces, membrane.sections());
   frame.in_plane = result.fields;
+}
+
+std::string of_plane(std::string warning) {
+  for (const char factor : {'1', '2'})
+    for (auto at = warning.find(std::string("K") + factor); at != std::string::npos;
+         at = warning.find(std::string("K") + factor, at))
+      warning[at] = 'N';
+  return "in the plane: " + warning;
+}
+
+std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis) {
+  constexpr double tolerance = 1e-8;
+  std::vector<std::string> result;
+  if (membrane.tips().empty()) return result;
+  analysis.tolerance = tolerance;
+  const std::optional<post::SrifOptions> options{std::in_place};
+  const auto methods = post::tip_methods(membrane, *options);
+  const auto at_rest = membrane_at_rest(membrane, analysis, {options, methods});
+  for (const auto* one : post::recommended(at_rest.factors))
+    if (one->resolved[0] && one->K1 < -one->errors[0].value_or(0))
+      result.push_back(
+          fmt::format("tip {} ({:.4g}, {:.4g}): loads press the faces of the crack together, which do not "
+                      "touch here: results are of faces that overlap",
+                      one->tip, one->position.x(), one->position.y()));
+  return result;
 }
 
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs) {

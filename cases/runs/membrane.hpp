@@ -56,8 +56,12 @@ void require_balance(const post::MembraneSummary& summary, const std::string& wh
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,
                   const MembraneResult& result);
 
-/// Words before warnings of post about factors of a plate in its plane.
-inline constexpr const char* factors_in_plane = "in the plane, N1 and N2 as K1 and K2: ";
+/// A warning of post about factors of a plate in its plane, whose K1 and K2 are N1 and N2.
+std::string of_plane(std::string warning);
+
+/// Warnings about cracks whose faces loads in the plane press together: without contact they are taken as free.
+/// @throws plate::NumericalError  as membrane_at_rest()
+std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis);
 
 /// Warnings about tips at which the faces of the crack overlap at z > 0, by bending and membrane forces together.
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs);

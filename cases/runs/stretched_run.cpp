@@ -108,6 +108,8 @@ void LargeDeflectionRun::solve() {
                     {"bending", found.bending_energy},
                     {"stretching", found.membrane_energy},
                     {"external_work", found.external_work}};
+  if (strain == 0)
+    post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
   warn(found);
   if (!found.converged) throw plate::NumericalError("large deflections: " + found.stop_reason);
 }
@@ -134,6 +136,7 @@ void BucklingRun::solve() {
   const auto& analysis = content().analysis;
   auto& summary = this->summary();
   post::Progress progress(quiet(), "buckling");
+  outputs_.warn(warnings_about_pressed_faces(*ready_.membrane, analysis));
   const std::optional<post::SrifOptions> no_factors;
   auto at_rest = membrane_at_rest(*ready_.membrane, analysis, {no_factors, ready_.membrane_methods});
   summary.membrane = at_rest.summary;
