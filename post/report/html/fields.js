@@ -96,7 +96,7 @@ function bar(field) {
 }
 
 function frame_words(frame) {
-  if (data.summary.analysis.kind === "frequencies") return `mode ${frame.time}`;
+  if (["frequencies", "buckling"].includes(data.summary.analysis.kind)) return `mode ${frame.time}`;
   if (data.summary.load_cases) return data.summary.load_cases[frame.time - 1]?.name ?? "";
   if (moves) return `t = ${shown(frame.time, 4)}${unit("time") ? ` ${unit("time")}` : ""}`;
   return grows ? `advance ${frame.time}` : "";
@@ -152,7 +152,7 @@ function slider(frames, first, show) {
 
 function fields_section() {
   if (!pictures) return null;
-  const modes = data.summary.analysis.kind === "frequencies";
+  const modes = ["frequencies", "buckling"].includes(data.summary.analysis.kind);
   let frame = modes ? pictures.frames[0] : pictures.frames.at(-1);
   const wanted = modes ? pictures.fields.filter(field => pictures.frames[0].data[field.name]) : pictures.fields;
   const figures = wanted.map(field => field_picture(field, () => frame));

@@ -42,6 +42,23 @@ function energy_section() {
     entries.map(name => [energy_names[name] ?? spaced(name), value(`energy.${name}`), work > 0 ? `${shown((100 * energy[name]) / work, 4)} %` : "–"]), { "data-table": "energy" }));
 }
 
+/** Factors of the loads at which a plate buckles. */
+function buckling_section() {
+  const { buckling } = data.summary;
+  if (!buckling) return null;
+  return section("Buckling loads", table([{ title: "mode" }, { title: "load factor" }, { title: "residual" }],
+    buckling.map((_, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
+}
+
+/** Equilibria on the way to the full load. */
+function load_steps_section() {
+  const { load_steps } = data.summary;
+  if (!load_steps) return null;
+  const at = i => `load_steps[${i}]`;
+  return section("Steps of the load", table([{ title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
+    load_steps.map((step, i) => [value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
+}
+
 function frequencies_section() {
   const { frequencies } = data.summary;
   if (!frequencies) return null;
@@ -95,7 +112,7 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 
 /** What summary.json has that no section above knows. */
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
-  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "growth", "energy", "scene", "warnings", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "growth", "energy", "scene", "warnings", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
 
 function other_section() {
   const others = Object.entries(data.summary).filter(([name]) => !known.has(name));
