@@ -12,7 +12,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 35> words{{
+constexpr std::array<std::pair<Part, std::string_view>, 36> words{{
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -26,6 +26,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 35> words{{
     {moving_load, "a load that moves (`path`, `speed`)"},
     {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`)"},
     {large_deflections, "`analysis.nonlinear`"},
+    {touching_faces, "`cracks.contact`"},
     {buckling, "`analysis.kind = \"buckling\"`"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
     {temperature, "a load of kind `\"temperature\"`"},
@@ -51,7 +52,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 35> words{{
 }};
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 21> features{{
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 22> features{{
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -73,6 +74,7 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 21> features{{
     {plate::Feature::sections, "plies, directions, regions or factors of the section"},
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
     {plate::Feature::in_plane, "loads in the plane"},
+    {plate::Feature::touching_faces, "`cracks.contact`"},
 }};
 
 std::string by_one_process(const char* what) {
@@ -190,6 +192,19 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},
     {large_deflections, processes, "analysis.nonlinear", by_one_process("large deflections cannot be found")},
+    {touching_faces, large_deflections, "cracks.contact",
+     "contact is found for small deflections: remove it, or analysis.nonlinear"},
+    {touching_faces, unilateral_foundation, "cracks.contact",
+     "contact of faces and of soil are not found together yet: remove it, or lifts_off"},
+    {touching_faces, growth, "cracks.contact", "cracks grow by the factors of open faces: remove it, or [growth]"},
+    {touching_faces, load_cases, "cracks.contact",
+     "other faces touch in each load case, so that load cases do not add up: run each load case by itself"},
+    {touching_faces, factors_to_accuracy, "srif.accuracy",
+     "goes by error estimates that were measured with open faces: remove it, and state discretization.spacing"},
+    {touching_faces, richardson, "srif.richardson", "compares factors of open faces: remove it, or cracks.contact"},
+    {touching_faces, second_formulation, "srif.second_formulation",
+     "compares factors of open faces: remove it, or cracks.contact"},
+    {touching_faces, processes, "cracks.contact", by_one_process("contact of faces cannot be found")},
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
@@ -229,6 +244,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
   add(any_load([](const auto& load) { return load.in_plane(); }), load_in_plane);
   add(a.nonlinear, large_deflections);
+  add(content.faces_touch(), touching_faces);
   add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);
   add(any_load([](const auto& load) { return load.template as<plate::Temperature>() != nullptr; }), temperature);

@@ -25,6 +25,7 @@ enum class Part {
   moving_load,
   load_in_plane,
   large_deflections,
+  touching_faces,
   buckling,
   unilateral_foundation,
   temperature,

@@ -69,6 +69,9 @@ void add_large_deflections(const Case& content, std::vector<Asked>& found) {
     found.push_back({words, key, Feature::in_plane, true, "choose formulation = \"galerkin\""});
   };
   if (content.analysis.nonlinear) add("large deflections", "analysis.nonlinear");
+  if (content.faces_touch())
+    found.push_back({"contact of crack faces", "cracks.contact", Feature::touching_faces, true,
+                     "choose formulation = \"galerkin\""});
   if (content.analysis.kind == Analysis::Kind::buckling) add("buckling", "analysis.kind");
 }
 

@@ -54,6 +54,8 @@ const Fields<Case>& case_fields() {
                                 "unit system named in the results"),
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields(), check_section),
       table<Case, plate::Problem>("geometry", Layout::block, plate_of, geometry_fields(), name_holes),
+      table<Case, plate::CrackFaces>("cracks", Layout::block, &Case::faces, crack_fields())
+          .used_in({Analysis::Kind::static_}),
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
                                          discretization_fields()),
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),

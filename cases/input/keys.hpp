@@ -8,6 +8,7 @@ struct Growth;
 
 namespace plate {
 struct Combination;
+struct CrackFaces;
 struct Discretization;
 class Formula;
 struct Foundation;
@@ -35,6 +36,7 @@ struct Output;
 Fields<plate::Section> section_fields();
 void check_section(const Value& section, plate::Section& content);
 Fields<plate::Problem> geometry_fields();
+Fields<plate::CrackFaces> crack_fields();
 /// A circle or a polygon; what each is for.
 Fields<geometry::Hole> hole_fields(const std::string& round, const std::string& polygonal);
 void check_hole(const Value& hole, geometry::Hole& content);

@@ -144,6 +144,12 @@ Fields<plate::Problem> geometry_fields() {
   };
 }
 
+Fields<plate::CrackFaces> crack_fields() {
+  using F = plate::CrackFaces;
+  return {boolean<F>("contact", &F::contact,
+                     "faces of cracks touch without friction; otherwise they may overlap, and a warning says so")};
+}
+
 void name_holes(const Value&, plate::Problem& content) {
   for (std::size_t i = 0; i < content.outline.holes.size(); ++i) {
     const std::string name = fmt::format("hole{}", i);

@@ -200,7 +200,7 @@ void Results::finish() {
     overlaps.clear();
     outputs_.warn(in_plane_->warnings);
     outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
-    outputs_.warn(warnings_about_overlaps(summary.srif));
+    if (!content().faces_touch()) outputs_.warn(warnings_about_overlaps(summary.srif));
   }
   outputs_.warn(post::warnings_about_faces(overlaps, section,
                                            growth_ ? std::function<std::size_t(std::size_t)>() : crack,

@@ -235,6 +235,7 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
   return {{Feature::layers, nodes + " hold edges, not layers"},
           {Feature::any_direction, nodes + " are of edges along the axes"},
           {Feature::in_plane, "displacements in the plane are of the Galerkin plate"},
+          {Feature::touching_faces, "bonds have no points on the faces of cracks"},
           {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
           {Feature::short_horizon, asymmetric + "it is solved directly"},
           {Feature::levels, asymmetric + "it is solved directly"},

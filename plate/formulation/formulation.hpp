@@ -56,6 +56,13 @@ struct StartOfCracks {
   std::vector<double> cut;
 };
 
+/// Two points of a plate that face each other on a crack, one on each face.
+struct FacePair {
+  std::uint32_t above = 0, below = 0;
+  geometry::Point normal{0, 0};  // of the crack, from below to above
+  double length = 0;             // of the crack that they stand for [length]
+};
+
 /// Internal force in single precision.
 using SingleForce = std::function<void(const Values<float>& state, Values<float>& force)>;
 
@@ -106,6 +113,8 @@ public:
   /// The state at a place, exact under rigid motions. Throws Refused where it sees no point near enough.
   virtual std::vector<PlaceShare> interpolation(const geometry::Point& at) const = 0;
   virtual Mesh mesh() const = 0;
+  /// Points on the faces of cracks; none in kinds that do not offer Feature::touching_faces.
+  virtual std::vector<FacePair> face_pairs() const;
   /// Share of each point's surroundings that cracks cut when they were as at the start of their growth.
   virtual std::vector<double> cut_at(const StartOfCracks& start) const = 0;
   virtual std::unique_ptr<TipView> tip_view() const = 0;

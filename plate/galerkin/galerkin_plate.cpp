@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "geometry/cells/tessellation.hpp"
@@ -45,6 +47,37 @@ std::vector<BondShape> shapes_of(const std::vector<Point>& vectors) {
     const double length = xi.norm();
     result.push_back({xi.y() / length, -xi.x() / length, length, 0});
   }
+  return result;
+}
+
+/// Points of both faces at the same places of cracks, without tips, which have one point. The faces are borders of
+/// cells in opposite directions.
+std::vector<FacePair> facing_points(const geometry::Tessellation& cells) {
+  using Ends = std::array<double, 4>;
+  const auto ends = [&](std::uint32_t from, std::uint32_t to) -> Ends {
+    const auto &a = cells.positions[from], &b = cells.positions[to];
+    return {a.x(), a.y(), b.x(), b.y()};
+  };
+  std::map<Ends, const geometry::Tessellation::Border*> faces;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, FacePair> found;  // by the points
+  for (const auto& face : cells.borders) {
+    if (face.edge >= 0) continue;
+    const auto other = faces.find(ends(face.to, face.from));
+    faces.emplace(ends(face.from, face.to), &face);
+    if (other == faces.end()) continue;
+    const Point side = cells.local[face.to] - cells.local[face.from];
+    const auto take = [&](std::uint32_t above, std::uint32_t below) {
+      if (above == below) return;
+      const double sign = above < below ? 1 : -1;
+      auto& pair = found[std::minmax(above, below)];
+      pair.above = std::min(above, below), pair.below = std::max(above, below);
+      pair.normal += sign / 2 * Point(-side.y(), side.x());
+      pair.length += side.norm() / 2;
+    };
+    take(face.from, other->second->to), take(face.to, other->second->from);
+  }
+  std::vector<FacePair> result;
+  for (auto& [points, pair] : found) pair.normal.normalize(), result.push_back(pair);
   return result;
 }
 
@@ -96,6 +129,7 @@ public:
   Inertia inertia(double rotary) const override { return {sections(), cells_, constraints(), rotary}; }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
+  std::vector<FacePair> face_pairs() const override { return facing_points(cells_); }
   PointMatrix stiffness() const override { return stiffness_matrix(op_); }
   std::unique_ptr<Stretching> stretching() const override {
     return std::make_unique<GalerkinStretching>(op_.families(), sections());
@@ -200,7 +234,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   auto paths = crack_paths(problem);
   auto cells = required_cells(problem, paths, all.distributed());
   stopwatch.lap("geometry");
-  if (problem.stretches || loaded_in_plane(problem))
+  if (problem.stretches || problem.faces_touch() || loaded_in_plane(problem))
     result.membrane =
         std::make_unique<GalerkinPlate>(discretised_part(membrane_of(problem), paths, cells, all, stopwatch));
   result.plate =

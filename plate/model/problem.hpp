@@ -40,6 +40,11 @@ std::vector<std::size_t> loads_of(const Problem& problem, std::size_t which);
 /// Factor of each load case in a combination [load cases].
 std::vector<double> factors_of(const Combination& combination, const std::vector<LoadCase>& cases);
 
+/// What faces of cracks do where they meet.
+struct CrackFaces {
+  bool contact = false;  // they touch without friction, and do not overlap
+};
+
 /// A plate with its cracks, how it is held and loaded, and how it is to be turned into points.
 struct Problem {
   Section section;
@@ -53,14 +58,16 @@ struct Problem {
   std::vector<Stiffener> stiffeners = {};
   std::vector<LoadCase> load_cases = {};  // in statics; their loads stand behind the others in `loads` (join_loads)
   std::vector<Combination> combinations = {};
-  std::optional<Initial> initial = {};  // of a motion
-  std::optional<Impact> impact = {};    // likewise
-  bool stretches = false;               // its middle plane, with the deflections (von Karman)
+  std::optional<Initial> initial = {};   // of a motion
+  std::optional<Impact> impact = {};     // likewise
+  bool stretches = false;                // its middle plane, with the deflections (von Karman)
+  std::optional<CrackFaces> faces = {};  // of the cracks
 
   /// True where there is a unilateral foundation.
   bool unilateral() const {
     return std::ranges::any_of(foundations, [](const Foundation& one) { return one.unilateral; });
   }
+  bool faces_touch() const { return faces && faces->contact; }
   bool elastically_supported() const { return !foundations.empty() || !springs.empty(); }
 };
 

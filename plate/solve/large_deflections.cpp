@@ -141,6 +141,14 @@ State solution(const Factor& factor, const Unknowns& unknowns, const Forces& for
 
 }  // namespace
 
+Constraints pinned(const Formulation& membrane) {
+  Constraints result;
+  add(membrane.constraints(), 0, result);
+  for (const auto& pin : pins_of(membrane)) result.fix(pin);
+  result.resolve();
+  return result;
+}
+
 PointMatrix Formulation::stiffness() const {
   throw std::logic_error("a stiffness was asked of a formulation that does not offer it");
 }
@@ -168,16 +176,11 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
       membrane_(membrane),
       stretching_(membrane.stretching()),
       bending_(plate.stiffness()),
+      of_plane_(pinned(membrane)),
       load_(plate.total_load()),
       load_in_plane_(membrane.total_load()) {
-  const auto points = std::uint32_t(plate.points());
-  add(membrane.constraints(), 0, of_plane_);
-  add(plate.constraints(), 0, of_both_), add(membrane.constraints(), points, of_both_);
-  for (const auto& pin : pins_of(membrane)) {
-    of_plane_.fix(pin);
-    of_both_.fix(dof(points + pin.point, pin.component));
-  }
-  of_plane_.resolve(), of_both_.resolve();
+  add(plate.constraints(), 0, of_both_), add(of_plane_, std::uint32_t(plate.points()), of_both_);
+  of_both_.resolve();
 
   const auto in_plane = folded(membrane.stiffness(), of_plane_);
   const auto bent = folded(bending_, plate.constraints());
@@ -188,7 +191,7 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
   // the unknowns of a point and of the same point in its plane stand together
   const auto order = elimination_order(in_plane, diagonal_in_plane + diagonal);
   std::vector<int> both;
-  for (const int k : order) both.push_back(k), both.push_back(int(points) + k);
+  for (const int k : order) both.push_back(k), both.push_back(int(plate.points()) + k);
   unknowns_in_plane_ = unknowns(diagonal_in_plane, order);
   unknowns_ = unknowns(behind(diagonal, diagonal_in_plane), both);
   plane_ = factorised(of_unknowns(in_plane, unknowns_in_plane_));

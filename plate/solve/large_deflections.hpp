@@ -45,6 +45,9 @@ struct LargeDeflections {
   bool snapped() const;
 };
 
+/// Constraints of a plate in its plane, with pins that hold the rigid motions which no support prevents.
+Constraints pinned(const Formulation& membrane);
+
 /// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains.
 /// States of both stand behind each other: the plate's points, then the same points in their plane.
 class StretchedPlate {

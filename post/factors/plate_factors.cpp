@@ -1,6 +1,8 @@
 #include "post/factors/plate_factors.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -237,25 +239,85 @@ std::vector<Srif> of_heated(const plate::Formulation& plate, const TipMethods& m
   return methods(cold, force, all_rings, uniform ? nullptr : &free);
 }
 
+/// Forces on points of a state beside those of elastic supports: internal, on all that constraints hold too.
+plate::Forces forces_on(const plate::Formulation& plate, const plate::State& state) {
+  plate::Forces force;
+  plate.internal_force(state, force), plate.boundary().elastic_supports.take_force(state, force);
+  return force;
+}
+
+/// Force that presses the faces of a crack apart at a tip, along the crack: the line that fits the forces behind the
+/// tip best [force/length]; of a plate that bends couples.
+double pressure_at(const geometry::Tip& tip, const plate::Formulation& plate, const plate::Forces& force) {
+  const double near =
+      std::max(clear_distance(plate.problem(), plate.paths(), tip) / 4, 4 * plate.discretization().spacing_at_tips());
+  Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d forces = Eigen::Vector2d::Zero();
+  for (const auto& pair : plate.face_pairs()) {
+    const geometry::Point x = plate.cloud().positions[pair.above] - tip.position;
+    const double behind = -tip.direction.dot(x);
+    if (behind < 0 || x.norm() > near || behind < (1 - 1e-6) * x.norm()) continue;
+    const auto f = force.col(pair.above);
+    const Eigen::Vector2d line(1, behind);
+    sums += pair.length * line * line.transpose();
+    forces -= line * (pair.normal.x() * f[2] - pair.normal.y() * f[1]);
+  }
+  return sums(0, 0) > 0 ? sums.completeOrthogonalDecomposition().solve(forces)[0] : 0;
+}
+
+/// A state less the uniform one whose tractions on a crack are those at its tip, where its faces press on each other:
+/// the rest has faces that are free there.
+plate::State eased(const plate::Formulation& plate, const geometry::Tip& tip, const plate::State& state,
+                   const plate::Forces& force) {
+  const double pressure = pressure_at(tip, plate, force);
+  if (pressure == 0) return state;
+  const geometry::Point normal(-tip.direction.y(), tip.direction.x());
+  const Eigen::Vector3d stress(normal.x() * normal.x(), normal.y() * normal.y(), normal.x() * normal.y());
+  const Eigen::Vector3d strain =
+      plate::LocalSection(plate.section().at(tip.position)).bending.ldlt().solve(-pressure * stress);
+  Eigen::Matrix2d slope;
+  slope << strain[0], strain[2] / 2, strain[2] / 2, strain[1];
+  plate::State result = state;
+  for (Eigen::Index k = 0; k < result.cols(); ++k) {
+    const geometry::Point x = plate.cloud().positions[std::size_t(k)] - tip.position;
+    const geometry::Point d = slope * x;  // (theta_y, -theta_x)
+    result.col(k) -= plate::PointValues(-x.dot(d) / 2, -d.y(), d.x());
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings,
                         const plate::Heat* heat, const plate::Stretch* stretch) {
+  const bool heated = heat && !heat->none(), touching = plate.problem().faces_touch();
+  const auto forces = [&](const plate::State& of) {
+    auto force = forces_on(plate, of);
+    if (heated) force += heat->forces;
+    if (stretch) force += stretch->forces;
+    plate.constraints().fetch(force);
+    return force;
+  };
+  const auto of_tip = [&](std::size_t tip, const plate::State& at, const plate::Forces& force) {
+    return heated ? of_heated(plate, methods[tip], plate.tips()[tip], at, force, *heat, all_rings)
+                  : methods[tip](at, force, all_rings, stretch ? &stretch->strains : nullptr);
+  };
   plate::Forces force;
-  const bool together = plate.distributed();  // no process can find forces alone
-  if (together || std::any_of(methods.begin(), methods.end(), [](const auto& tip) { return tip.needs_force(); }))
-    plate.internal_force(state, force), plate.boundary().elastic_supports.take_force(state, force);
-  const bool heated = heat && !heat->none();
-  if (heated && force.size() > 0) force += heat->forces;
-  if (stretch && force.size() > 0) force += stretch->forces;
-  if (force.size() > 0) plate.constraints().fetch(force);
+  if (plate.distributed() ||  // no process can find forces alone
+      touching || std::ranges::any_of(methods, [](const auto& tip) { return tip.needs_force(); }))
+    force = forces(state);
   std::vector<std::vector<Srif>> by_tip(methods.size());
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t tip = 0; tip < methods.size(); ++tip)
-    if (methods[tip].here())
-      by_tip[tip] = !heated ? methods[tip](state, force, all_rings, stretch ? &stretch->strains : nullptr)
-                            : of_heated(plate, methods[tip], plate.tips()[tip], state, force, *heat, all_rings);
+  for (std::size_t tip = 0; tip < methods.size(); ++tip) {
+    if (!methods[tip].here()) continue;
+    if (!touching) {
+      by_tip[tip] = of_tip(tip, state, force);
+      continue;
+    }
+    const auto rest = eased(plate, plate.tips()[tip], state, force);
+    by_tip[tip] = of_tip(tip, rest, forces(rest));
+  }
   std::vector<Srif> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
     for (auto& srif : by_tip[tip]) {

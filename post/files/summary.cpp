@@ -329,6 +329,10 @@ std::string to_json(const Summary& summary) {
     json["buckling"] = Json::array();
     for (const auto& one : summary.buckling) json["buckling"].push_back(json_of(one));
   }
+  if (const auto& contact = summary.contact)
+    json["contact"] = {{"least_opening", contact->least_opening},
+                       {"largest_pressure", contact->largest_pressure},
+                       {"closed_share", contact->closed_share}};
   if (!summary.load_steps.rows.empty()) json["load_steps"] = json_of(summary.load_steps);
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));
   if (!summary.resonances.empty()) json["resonances"] = summary.resonances;

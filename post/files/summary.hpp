@@ -108,6 +108,13 @@ struct MembraneSummary {
   std::vector<Reaction> reactions;
 };
 
+/// Contact of the faces of cracks.
+struct ContactSummary {
+  double least_opening = 0;     // of the faces, at either face of the plate [length]
+  double largest_pressure = 0;  // along the crack, at a face of the plate [force/length]
+  double closed_share = 0;      // of the length of the cracks
+};
+
 /// Load case, or a combination of some.
 struct LoadCaseSummary {
   std::string name;
@@ -207,6 +214,7 @@ struct Summary {
   std::vector<double> resonances;                      // likewise, within the sweep [1/time]
   std::optional<GrowthSummary> growth;                 // of a case with growth
   std::optional<MembraneSummary> membrane;             // where loads act in the plane
+  std::optional<ContactSummary> contact;               // where faces of cracks may touch
   std::vector<std::pair<std::string, double>> energy;  // strain, kinetic, external_work, fracture
   std::vector<ScenePart> scene;
   std::vector<std::string> warnings;

@@ -324,6 +324,9 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     reactions(out, *summary.reactions, si ? " [N]" : "", size, 12);
   }
   if (summary.touching) fmt::format_to(out, "soil touches {:.1f} % of what lies above it\n", 100 * *summary.touching);
+  if (const auto& contact = summary.contact)
+    fmt::format_to(out, "faces of cracks touch along {:.1f} % of their length, pressed by {:.4g}{} at most\n",
+                   100 * contact->closed_share, contact->largest_pressure, si ? " N/m" : "");
   if (summary.multipliers)
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
   if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);

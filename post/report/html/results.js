@@ -112,7 +112,7 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 
 /** What summary.json has that no section above knows. */
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
-  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "growth", "energy", "scene", "warnings", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
 
 function other_section() {
   const others = Object.entries(data.summary).filter(([name]) => !known.has(name));

@@ -1,0 +1,41 @@
+#pragma once
+#include <vector>
+
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+/// What two points that face each other on a crack do to each other. Above is z > 0.
+struct FaceContact {
+  geometry::Point position;
+  double length;                        // of the crack that they stand for [length]
+  double opening_above, opening_below;  // of the crack at both faces of the plate [length]
+  double force_above, force_below;      // that presses there, along the crack [force/length]
+};
+
+/// Linear equilibrium of a plate and of the same plate in its plane, of which the faces of cracks touch without
+/// friction.
+struct TouchingFaces {
+  State bending, membrane;  // change by the contact
+  std::vector<FaceContact> faces;
+  std::size_t iterations = 0, factor_bytes = 0;
+
+  double least_opening() const;  // [length]
+  double largest_force() const;  // along the crack [force/length]
+  double closed_share() const;   // of the length of the cracks, at one face of the plate or at both
+};
+
+/// Equilibria of a plate and of the same plate in its plane without contact.
+struct FreeFaces {
+  const State &bending, &membrane;
+};
+
+/// Finds where faces of cracks touch. They stay straight through the thickness, so that their opening at z = -h/2 and
+/// h/2 is that of the plane less and plus h/2 times that of the rotations. Both openings and the forces that press
+/// there are not negative, and one of them is zero (theory.md, "Faces of cracks that touch"). `free`: equilibria
+/// without contact.
+/// @throws NumericalError  where the factor of the stiffness, or the search for what touches, fails
+TouchingFaces touching_faces(const Formulation& plate, const Formulation& membrane, const FreeFaces& free);
+
+}  // namespace plate
