@@ -47,7 +47,8 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   const auto& plate = *result.plate;
   const auto suits = plate::validate(plate, c.analysis);
   auto problems = problems_of(file, suits.refusals);
-  if (result.membrane && plate::loaded_in_plane(c))
+  const bool parted = c.faces_touch() && result.membrane->pieces().size() > 1;  // pins would bear what contact presses
+  if (result.membrane && (plate::loaded_in_plane(c) || parted))
     for (auto& problem : problems_of(file, plate::loose(*result.membrane))) problems.push_back(std::move(problem));
   check_places(file, plate, problems);
   if (!problems.empty()) throw CaseError(problems);

@@ -127,6 +127,9 @@ post::Table energy_check(const CaseFile& file) {
   if (c.analysis.nonlinear)
     throw CaseError({{file.place("analysis.nonlinear"), "analysis.nonlinear",
                       "the energy check solves linear plates: srif.csv of the run has the factors of this one"}});
+  if (c.faces_touch())
+    throw CaseError({{file.place("cracks.contact"), "cracks.contact",
+                      "the energy check solves plates with open cracks: remove it"}});
   return unless_refused(file, [&] { return energy_check(c, c.analysis); });
 }
 
@@ -180,6 +183,9 @@ post::Table srif_again(const std::filesystem::path& folder, const std::vector<st
     throw CaseError({{file.place("growth"), "growth",
                       "the cracks have grown since: srif.csv of the run has their factors "
                       "along the way"}});
+  if (c.faces_touch())
+    throw CaseError({{file.place("cracks.contact"), "cracks.contact",
+                      "frames do not say where faces touch: srif.csv of the run has the factors"}});
   if (!c.srif) throw CaseError({{file.place("srif"), "srif", "is not there: this run finds no intensity factors"}});
   const auto run = post::read_run(folder / "state.h5");
   const auto own = discretised(file);

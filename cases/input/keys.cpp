@@ -132,6 +132,9 @@ void check_probes(const Case& content, Reading& reading) {
 }
 
 void check_tips(const Case& content, Reading& reading) {
+  if (content.faces_touch() && content.cracks.empty())
+    reading.report_error("cracks.contact",
+                         "there is no crack whose faces could touch: remove it, or give geometry.cracks");
   if (!content.srif || !reading.sound("geometry") || (content.growth && content.growth->by_bonds())) return;
   const auto paths = plate::crack_paths(content);
   if (geometry::tips(paths).empty())

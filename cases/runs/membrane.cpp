@@ -125,7 +125,7 @@ std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& 
     const auto where = post::overlap(*one);
     if (where != post::Overlap::above && where != post::Overlap::both) continue;
     result.push_back(fmt::format(
-        "tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}, as contact is not modelled", one->tip,
+        "tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}; set cracks.contact = true", one->tip,
         one->position.x(), one->position.y(), where == post::Overlap::both ? "all over the thickness" : "at z > 0"));
   }
   return result;

@@ -74,6 +74,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   };
   auto found = factors();
   if (in_plane_) post::add_membrane(found, in_plane_->factors, content().section);
+  if (!closed_.empty()) post::close(found, closed_, content().section);
   factors_.add(std::move(found), fmt::format("at step {}, time {:g}", now.step, now.time));
 }
 
@@ -199,8 +200,10 @@ void Results::finish() {
   if (in_plane_) {
     overlaps.clear();
     outputs_.warn(in_plane_->warnings);
-    outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
-    if (!content().faces_touch()) outputs_.warn(warnings_about_overlaps(summary.srif));
+    if (!content().faces_touch()) {
+      outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
+      outputs_.warn(warnings_about_overlaps(summary.srif));
+    }
   }
   outputs_.warn(post::warnings_about_faces(overlaps, section,
                                            growth_ ? std::function<std::size_t(std::size_t)>() : crack,

@@ -125,18 +125,29 @@ double TouchingFaces::largest_force() const {
   return result;
 }
 
+const FaceContact* TouchingFaces::next_to(const geometry::Point& tip) const {
+  const auto nearest =
+      std::ranges::min_element(faces, {}, [&](const FaceContact& one) { return (one.position - tip).squaredNorm(); });
+  return nearest == faces.end() ? nullptr : &*nearest;
+}
+
+double TouchingFaces::length() const {
+  double result = 0;
+  for (const auto& one : faces) result += one.length;
+  return result;
+}
+
 double TouchingFaces::closed_share() const {
-  double closed = 0, all = 0;
-  for (const auto& one : faces) {
-    all += one.length;
+  double closed = 0;
+  for (const auto& one : faces)
     if (one.force_above > 0 || one.force_below > 0) closed += one.length;
-  }
-  return all > 0 ? closed / all : 0;
+  return faces.empty() ? 0 : closed / length();
 }
 
 TouchingFaces touching_faces(const Formulation& plate, const Formulation& membrane, const FreeFaces& free) {
   const auto pairs = plate.face_pairs();
   const auto count = Eigen::Index(pairs.size());
+  if (count == 0) return {zero_like(free.bending), zero_like(free.membrane), {}};
   const auto in_plane = pinned(membrane);
   const AssembledPlate bent(plate, plate.constraints(), plate.stiffness());
   const AssembledPlate flat(membrane, in_plane, membrane.stiffness());
@@ -157,11 +168,14 @@ TouchingFaces touching_faces(const Formulation& plate, const Formulation& membra
 
   TouchingFaces result;
   result.iterations = found.iterations, result.factor_bytes = bent.bytes() + flat.bytes();
+  constexpr double rounding = 1e-9;  // faces that are pressed evenly do not bend the plate
+  const double most = found.x.maxCoeff();
   Forces on_bending = zero_forces(plate.points()), on_plane = zero_forces(plate.points());
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& pair = pairs[std::size_t(i)];
     const double above = found.x[i], below = found.x[count + i];
-    press(pair, above + below, on_plane), press(pair, arm[i] * (above - below), on_bending);
+    press(pair, above + below, on_plane);
+    if (std::abs(above - below) > rounding * most) press(pair, arm[i] * (above - below), on_bending);
     result.faces.push_back({.position = plate.cloud().positions[pair.above],
                             .length = pair.length,
                             .opening_above = found.rest[i],

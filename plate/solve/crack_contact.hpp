@@ -23,7 +23,10 @@ struct TouchingFaces {
 
   double least_opening() const;  // [length]
   double largest_force() const;  // along the crack [force/length]
-  double closed_share() const;   // of the length of the cracks, at one face of the plate or at both
+  /// The pair nearest to a tip; null where there is none.
+  const FaceContact* next_to(const geometry::Point& tip) const;
+  double length() const;        // of all cracks [length]
+  double closed_share() const;  // of the length of the cracks, at one face of the plate or at both
 };
 
 /// Equilibria of a plate and of the same plate in its plane without contact.

@@ -132,7 +132,8 @@ double widest_ring(const plate::Problem& c, double wider) {
 
 std::optional<double> tip_spacing_for(const plate::Problem& problem) {
   constexpr double thick = 12, far = 24;  // spacings: enough for the points of a lattice
-  constexpr double of_layer = 1.0 / 6, of_clear = 1.0 / 32;
+  const double of_layer = problem.faces_touch() ? 1.0 / 24 : 1.0 / 6;
+  constexpr double of_clear = 1.0 / 32;
   constexpr double least = 1.0 / 256;  // of the spacing
   plate::Problem fine = problem;       // bends count, however slight
   const double spacing = problem.discretization.spacing;
@@ -230,13 +231,13 @@ double curvature_at(const geometry::Point& tip, const plate::Formulation& plate,
 /// the actual moments, and no method needs to account for uniform heating.
 std::vector<Srif> of_heated(const plate::Formulation& plate, const TipMethods& methods, const geometry::Tip& tip,
                             const plate::State& state, const plate::Forces& force, const plate::Heat& heat,
-                            bool all_rings) {
+                            bool all_rings, const Eigen::VectorXd* on_faces) {
   const bool uniform = heat.curvature.minCoeff() == heat.curvature.maxCoeff();
   const double there = uniform ? heat.curvature[0] : curvature_at(tip.position, plate, heat);
   const auto cold = plate::cold(state, plate.cloud().positions, tip.position, there);
   const Eigen::VectorXd varying = heat.curvature.array() - there;
   const Eigen::Matrix3Xd free = -Eigen::Vector3d(1, 1, 0) * varying.transpose();
-  return methods(cold, force, all_rings, uniform ? nullptr : &free);
+  return methods(cold, force, all_rings, {uniform ? nullptr : &free, on_faces});
 }
 
 /// Forces on points of a state beside those of elastic supports: internal, on all that constraints hold too.
@@ -246,31 +247,71 @@ plate::Forces forces_on(const plate::Formulation& plate, const plate::State& sta
   return force;
 }
 
-/// Force that presses the faces of a crack apart at a tip, along the crack: the line that fits the forces behind the
-/// tip best [force/length]; of a plate that bends couples.
-double pressure_at(const geometry::Tip& tip, const plate::Formulation& plate, const plate::Forces& force) {
-  const double near =
-      std::max(clear_distance(plate.problem(), plate.paths(), tip) / 4, 4 * plate.discretization().spacing_at_tips());
-  Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d forces = Eigen::Vector2d::Zero();
-  for (const auto& pair : plate.face_pairs()) {
-    const geometry::Point x = plate.cloud().positions[pair.above] - tip.position;
-    const double behind = -tip.direction.dot(x);
-    if (behind < 0 || x.norm() > near || behind < (1 - 1e-6) * x.norm()) continue;
-    const auto f = force.col(pair.above);
-    const Eigen::Vector2d line(1, behind);
-    sums += pair.length * line * line.transpose();
-    forces -= line * (pair.normal.x() * f[2] - pair.normal.y() * f[1]);
+/// Pairs of points on the straight part of a crack behind its tip, the nearest first.
+class FacesBehind {
+public:
+  FacesBehind(const plate::Formulation& plate, const geometry::Tip& tip) {
+    for (const auto& pair : plate.face_pairs()) {
+      const geometry::Point x = plate.cloud().positions[pair.above] - tip.position;
+      const double behind = -tip.direction.dot(x);
+      if (behind > 0 && behind > (1 - 1e-6) * x.norm()) pairs_.push_back({behind, pair});
+    }
+    std::ranges::sort(pairs_, {}, &std::pair<double, plate::FacePair>::first);
   }
-  return sums(0, 0) > 0 ? sums.completeOrthogonalDecomposition().solve(forces)[0] : 0;
-}
 
-/// A state less the uniform one whose tractions on a crack are those at its tip, where its faces press on each other:
-/// the rest has faces that are free there.
+  /// Force that presses the faces apart at the tip, along the crack: by the line that fits the forces within `near`
+  /// best [force/length]; of a plate that bends couples.
+  double pressure(const plate::Forces& force, double near) const {
+    Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d forces = Eigen::Vector2d::Zero();
+    for (const auto& [behind, pair] : pairs_) {
+      if (behind > near) break;
+      const Eigen::Vector2d line(1, behind);
+      sums += pair.length * line * line.transpose();
+      forces += line * apart(pair, force);
+    }
+    return sums(0, 0) > 0 ? sums.completeOrthogonalDecomposition().solve(forces)[0] : 0;
+  }
+
+  /// Takes the forces that press the faces apart away. Returns the work that they do per length by which the tip moves
+  /// on, minus, at every point [force]: a difference of openings, as gradients at the points are means over the field
+  /// about them.
+  Eigen::VectorXd take(const plate::State& state, plate::Forces& force) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(force.cols());
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const auto& pair = pairs_[i].second;
+      const double pressing = apart(pair, force);
+      force.col(pair.above) += along(pair, pressing), force.col(pair.below) -= along(pair, pressing);
+      if (i + 1 == pairs_.size()) continue;  // the mouth, or the other tip: far outside of rings
+      const auto before = i == 0 ? std::pair(0.0, 0.0) : std::pair(pairs_[i - 1].first, opening(i - 1, state));
+      const double slope = (opening(i + 1, state) - before.second) / (pairs_[i + 1].first - before.first);
+      result[pair.above] += pressing * slope;  // openings grow backwards
+    }
+    return result;
+  }
+
+private:
+  /// The force that presses a pair apart: half the difference of the forces on its points along the normal.
+  static double apart(const plate::FacePair& pair, const plate::Forces& force) {
+    return -along(pair, plate::PointValues(force.col(pair.above) - force.col(pair.below))) / 2;
+  }
+  static double along(const plate::FacePair& pair, const plate::PointValues& values) {
+    return pair.normal.x() * values[2] - pair.normal.y() * values[1];
+  }
+  static plate::PointValues along(const plate::FacePair& pair, double size) {
+    return {0, -size * pair.normal.y(), size * pair.normal.x()};
+  }
+  double opening(std::size_t i, const plate::State& state) const {
+    const auto& pair = pairs_[i].second;
+    return along(pair, plate::PointValues(state.col(pair.above) - state.col(pair.below)));
+  }
+
+  std::vector<std::pair<double, plate::FacePair>> pairs_;  // with their distances from the tip
+};
+
+/// A state less the uniform one whose tractions on the crack are a pressure on its faces at a tip.
 plate::State eased(const plate::Formulation& plate, const geometry::Tip& tip, const plate::State& state,
-                   const plate::Forces& force) {
-  const double pressure = pressure_at(tip, plate, force);
-  if (pressure == 0) return state;
+                   double pressure) {
   const geometry::Point normal(-tip.direction.y(), tip.direction.x());
   const Eigen::Vector3d stress(normal.x() * normal.x(), normal.y() * normal.y(), normal.x() * normal.y());
   const Eigen::Vector3d strain =
@@ -299,9 +340,10 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
     plate.constraints().fetch(force);
     return force;
   };
-  const auto of_tip = [&](std::size_t tip, const plate::State& at, const plate::Forces& force) {
-    return heated ? of_heated(plate, methods[tip], plate.tips()[tip], at, force, *heat, all_rings)
-                  : methods[tip](at, force, all_rings, stretch ? &stretch->strains : nullptr);
+  const auto of_tip = [&](std::size_t tip, const plate::State& at, const plate::Forces& force,
+                          const Eigen::VectorXd* on_faces = nullptr) {
+    return heated ? of_heated(plate, methods[tip], plate.tips()[tip], at, force, *heat, all_rings, on_faces)
+                  : methods[tip](at, force, all_rings, {stretch ? &stretch->strains : nullptr, on_faces});
   };
   plate::Forces force;
   if (plate.distributed() ||  // no process can find forces alone
@@ -315,8 +357,13 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
       by_tip[tip] = of_tip(tip, state, force);
       continue;
     }
-    const auto rest = eased(plate, plate.tips()[tip], state, force);
-    by_tip[tip] = of_tip(tip, rest, forces(rest));
+    const FacesBehind faces(plate, plate.tips()[tip]);
+    const double near =
+        std::min(clear_distance(plate.problem(), plate.paths(), plate.tips()[tip]) / 4, 2 * plate.section().layer());
+    const auto rest = eased(plate, plate.tips()[tip], state, faces.pressure(force, near));
+    auto of_rest = forces(rest);
+    const auto on_faces = faces.take(rest, of_rest);
+    by_tip[tip] = of_tip(tip, rest, of_rest, &on_faces);
   }
   std::vector<Srif> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip)

@@ -8,7 +8,7 @@
 
 namespace plate {
 struct Section;
-}
+}  // namespace plate
 
 /// Output of the program: intensity factors, tables, files for ParaView and HDF5.
 namespace post {
@@ -137,6 +137,18 @@ const char* name_of(Overlap overlap);
 /// Adds the factors of a plate in its plane, which its methods find as K1 and K2: of the same tip by the same method,
 /// the recommended one where a tip has it first.
 void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane, const plate::Section& section);
+
+/// Faces of the plate at which the faces of a crack touch next to its tip.
+struct ClosedTip {
+  bool above = false, below = false;  // at z > 0, z < 0
+  double scale = 0;  // the largest force along the crack times the root of the length of all cracks, as N1
+};
+
+/// Corrects the factors of tips at which faces of a crack touch. Where they touch at one face of the plate, K_I is zero
+/// there, N1 = 6 |K1| / h: K1 and N1 share the energy that they release together, which contact only carries from one
+/// to the other, and their errors are no less than the change. Where they touch at both, K1 = N1 = 0. Factors of
+/// bending that are rounding beside the forces become zero. Factors of sections of plies stay.
+void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const plate::Section& section);
 
 /// F1, F2, F3 where the options give a normalisation.
 void normalize(Srif& srif, const SrifOptions& options, double thickness);

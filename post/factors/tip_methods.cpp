@@ -66,7 +66,7 @@ public:
   AtTip(std::shared_ptr<const TipView> view, const TipPlace& place, const SrifOptions& options);
 
   std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
-                               const Eigen::Matrix3Xd* free) const;
+                               const ActingAtTip& acting) const;
   const std::vector<std::string>& left_out() const { return left_out_; }
   bool works() const { return left_out_.size() < methods_.size(); }
   Eigen::MatrixXd functionals() const;
@@ -275,7 +275,8 @@ Srif TipMethods::AtTip::by_fit(const std::vector<FitSrif>& fits) const {
 }
 
 std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
-                                                const Eigen::Matrix3Xd* free) const {
+                                                const ActingAtTip& acting) const {
+  const auto& [free, on_faces] = acting;
   const NearField field(state, view_->positions, surroundings_.centre());
   const bool stretched = free && at_.section.law == plate::PlateLaw::membrane;
   const std::vector<FitSrif> fits = stretched ? interactions(field, *free) : fitted(field);
@@ -283,8 +284,9 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
   double radius = 0;
   for (const auto& integral : integrals_)
     for (std::size_t i = 0; i < rings_of(integral, all_rings); ++i) radius = std::max(radius, integral.rings[i].outer);
-  const Eigen::VectorXd work =
-      integrals_.empty() ? Eigen::VectorXd() : surroundings_.forward_work(state, force, radius);
+  Eigen::VectorXd work = integrals_.empty() ? Eigen::VectorXd() : surroundings_.forward_work(state, force, radius);
+  for (Eigen::Index i = 0; on_faces && i < work.size(); ++i)
+    work[i] += (*on_faces)[surroundings_.points()[std::size_t(i)]];
   std::function<double(const Ring&)> heat;
   if (free)
     heat = [&](const Ring& ring) {
@@ -331,8 +333,8 @@ TipMethods& TipMethods::operator=(TipMethods&&) noexcept = default;
 TipMethods::~TipMethods() = default;
 
 std::vector<Srif> TipMethods::operator()(const plate::State& state, const plate::Forces& force, bool all_rings,
-                                         const Eigen::Matrix3Xd* free) const {
-  return (*at_tip_)(state, force, all_rings, free);
+                                         const ActingAtTip& acting) const {
+  return (*at_tip_)(state, force, all_rings, acting);
 }
 
 const std::vector<std::string>& TipMethods::left_out() const {

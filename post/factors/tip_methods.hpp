@@ -26,6 +26,16 @@ struct TipPlace {
   double known_error = 0;  // of all factors, whatever the field about the tip says, as a share of the largest
 };
 
+/// What acts about a tip beside the forces on its points.
+struct ActingAtTip {
+  /// Curvatures of heat that varies, less that at the tip, of which the state is cold(); in the plane the strains of
+  /// the deflections. Absent where it is null.
+  const Eigen::Matrix3Xd* free = nullptr;
+  /// Work of the forces that press the faces of the crack apart, per length by which the tip moves on, minus; of every
+  /// point [force]. Absent where it is null.
+  const Eigen::VectorXd* on_faces = nullptr;
+};
+
 /// Chosen methods at one tip: built once, evaluated at any number of times. The recommended one comes first.
 class TipMethods {
 public:
@@ -40,10 +50,9 @@ public:
   ~TipMethods();
 
   /// `force`: internal force of the state (Operator::internal_force). `all_rings` = false: only those that the result
-  /// needs, for curves in time. `free`: curvatures of heat that varies, less that at the tip, of which the state is
-  /// cold(); in the plane the strains of the deflections.
+  /// needs, for curves in time.
   std::vector<Srif> operator()(const plate::State& state, const plate::Forces& force, bool all_rings = true,
-                               const Eigen::Matrix3Xd* free = nullptr) const;
+                               const ActingAtTip& acting = {}) const;
 
   /// Reasons why methods were left out.
   const std::vector<std::string>& left_out() const;

@@ -103,7 +103,7 @@ function factors_section() {
     others.length ? folded("For comparison: other methods", factor_table(others, "comparison"),
       note("By other ways from the same solution. They are here to judge by, not to be used in the place of the recommended ones.")) : null,
     folded("What K1, K2 and K3 are", note("K1 = lim √(2r) M", element("sub", {}, "y′y′"), ", K2 = lim √(2r) M", element("sub", {}, "x′y′"), ", K3 = lim √(2r) Q", element("sub", {}, "y′"),
-      " straight ahead of the tip, x′ along the crack out of the material it has cut, without a factor π. K1 > 0 opens the face z > 0, and the faces overlap at z < 0, as contact is not modelled.")));
+      " straight ahead of the tip, x′ along the crack out of the material it has cut, without a factor π. K1 > 0 opens the face z > 0, and the faces overlap at z < 0 unless contact is asked for.")));
 }
 
 /** Where K, w and stresses are largest: over a motion, or at the end of statics. */
