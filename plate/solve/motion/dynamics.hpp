@@ -145,6 +145,8 @@ struct DynamicOptions {
   /// now. A checkpoint is saved, too, before a signal ends the motion.
   std::function<bool()> due = {};
   std::function<void(const MotionCheckpoint&)> save = {};
+  /// Strain energy of a state of a plate whose forces are not linear in it; absent: half their work.
+  std::function<double(const State&)> strain_energy = {};
 };
 
 /// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a
