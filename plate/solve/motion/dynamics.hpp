@@ -78,7 +78,7 @@ struct Instant {
   std::optional<ImpactorMotion> contact_force = {};
   /// State less a motion as one rigid body, in statics (StaticResult); none where it is the state.
   const State* rest = nullptr;
-  /// Forces beside the loads, in statics: of the stretched middle plane on the deflections; none where it is null.
+  /// Forces beside the loads: of the stretched middle plane on the deflections; none where it is null.
   const Forces* stretched = nullptr;
   const State& what_strains() const { return rest ? *rest : state; }
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "plate/formulation/formulation.hpp"
-#include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"

@@ -4,13 +4,13 @@
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/solve/stretching.hpp"
 
 namespace plate {
 
 class Formulation;
 struct Analysis;
-struct TimedLoad;
 
 /// A plate and the same points in their plane (PlateLaw::membrane) that move by central differences. All states, forces
 /// and masses are stacked() [3 x 2 points]. Where the middle plane stretches (Problem::stretches) the plate has von
@@ -23,9 +23,9 @@ public:
 
   std::size_t points() const override;
   void internal_force(const State& state, Forces& forces) const override;
-  /// Of the linear part alone.
+  /// Bounds |K| state of the linear part.
   void absolute_product(const State& state, Forces& forces) const override;
-  /// Of the linear part alone.
+  /// Diagonal of the linear part.
   Forces diagonal() const override;
 
   const Constraints& constraints() const { return constraints_; }
