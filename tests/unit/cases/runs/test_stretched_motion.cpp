@@ -1,4 +1,6 @@
 // Motions under loads in the plane and with large deflections: their tables, and what is the same after a checkpoint.
+#include "cases/runs/membrane.hpp"
+
 #include "cases/driver/prepared.hpp"
 #include "cases/driver/run.hpp"
 #include "cases/runs/checkpoints.hpp"
@@ -98,4 +100,31 @@ TEST_CASE("stretched motion: a plate that nothing holds in its plane flies off u
   CHECK(summary.membrane->largest_displacement == Approx(std::hypot(3, 2) * 0.25 / (2 * 0.1)).epsilon(1e-9));
   CHECK(summary.membrane->strain_energy < 1e-12);
   CHECK(summary.analysis.method == "central_difference");
+}
+
+TEST_CASE("stretched motion: rotations beyond those of von Karman's strains are warned of") {
+  CHECK(cases::warnings_about_rotations(0.29).empty());
+  const auto warnings = cases::warnings_about_rotations(0.4);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings.front(), Catch::Contains("rotations reach 0.4"));
+}
+
+TEST_CASE("in the plane: factors that are small beside those of earlier times stay resolved") {
+  const auto file = read(plain + "[srif]\n",
+                         {"support[0].in_plane=\"fixed\"", "load=[{kind='edge_traction',edges=['right'],value=1}]"});
+  const cases::Prepared ready(file);
+  const auto state = plate::static_solution(*ready.membrane, file.content.analysis, {1e-8, 1000, {}}).solution.state;
+  std::vector<double> largest;
+  const cases::MembraneFactorsWanted wanted{file.content.srif, ready.membrane_methods, true, &largest};
+  const auto load = ready.membrane->total_load();
+  const auto first = cases::membrane_results(*ready.membrane, state, load, wanted);
+  REQUIRE(!largest.empty());
+  const double before = largest[0];
+  const plate::State small = 0.01 * state;
+  const auto second = cases::membrane_results(*ready.membrane, small, 0.01 * load, wanted);
+  CHECK(largest[0] == before);
+  for (std::size_t i = 0; i < first.factors.size(); ++i) {
+    CHECK(second.factors[i].K1 == Approx(0.01 * first.factors[i].K1));
+    if (first.factors[i].errors[0] && second.factors[i].errors[0]) CHECK(second.factors[i].resolved[0]);
+  }
 }
