@@ -190,9 +190,8 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, stiffness_damping, "analysis.damping",
      "the stiffness changes with the deflections, and so would damping by it: give mass alone"},
     {large_deflections, equilibrium_start, "analysis.start",
-     "\"equilibrium\" given: motion with large deflections begins undeformed or with initial.deflection; let loads "
-     "grow "
-     "by a history"},
+     "\"equilibrium\" given: large deflections begin undeformed or with initial.deflection; let loads grow by a "
+     "history"},
     {large_deflections, growth, "growth",
      "the loads at which cracks grow are found for linear plates: remove it, or analysis.nonlinear"},
     {large_deflections, load_cases, "case",
