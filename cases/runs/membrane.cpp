@@ -46,7 +46,7 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   result.fields.force = result.forces.moments;
   if (options) {
     result.factors = post::srifs(membrane, *options, methods, state, all_rings, nullptr, stretch);
-    std::vector<double> first, &largest = largest_before ? *largest_before : first;
+    std::vector<double> none, &largest = largest_before ? *largest_before : none;
     if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
     for (const auto& some :
          {post::left_out(membrane.tips(), methods),
