@@ -13,6 +13,7 @@
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
+#include "plate/solve/motion/stretched_motion.hpp"
 #include "plate/solve/validation.hpp"
 #include "post/factors/plate_factors.hpp"
 
@@ -47,8 +48,10 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   const auto& plate = *result.plate;
   const auto suits = plate::validate(plate, c.analysis);
   auto problems = problems_of(file, suits.refusals);
-  const bool parted = c.faces_touch() && result.membrane->pieces().size() > 1;  // pins would bear what contact presses
-  if (result.membrane && (plate::loaded_in_plane(c) || parted))
+  const bool may_fly = c.moves() && c.analysis.start == Analysis::Start::undeformed;
+  // pins would bear what contact presses
+  const bool parted = c.faces_touch() && result.membrane && result.membrane->pieces().size() > 1;
+  if (parted || (result.membrane && plate::loaded_in_plane(c) && !may_fly))
     for (auto& problem : problems_of(file, plate::loose(*result.membrane))) problems.push_back(std::move(problem));
   check_places(file, plate, problems);
   if (!problems.empty()) throw CaseError(problems);
@@ -137,7 +140,9 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
     if (c.analysis.method == Analysis::Method::lanczos) {
       steps = {0, unless_refused(file, [&] { return plate::row_grid(grid_options(c)); })};
     } else {
-      const double free = plate::stable_time_step(*plate, c.analysis.rotary_inertia);
+      const double rotary = c.analysis.rotary_inertia;
+      const double free =
+          membrane ? plate::stable_time_step(*plate, *membrane, rotary) : plate::stable_time_step(*plate, rotary);
       const double limit = plate::stable_step(free, *plate, c.analysis, begin);
       steps = {limit, time_grid(file, limit)};
       if (limit < 0.2 * free && steps->grid.steps > many_steps)

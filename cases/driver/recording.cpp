@@ -96,13 +96,13 @@ Recording recording(const RunPlan& plan) {
   auto checkpoints = checkpoints_of(plan, resolved);
   const bool goes_on = options.resume && finds(checkpoints.get(), options);
   if (lock) clear(options, resolved, goes_on);
+  const bool of_state = c.analysis.kind == Analysis::Kind::static_ || c.moves();
   post::StateFile::Options state{.path = options.folder / "state.h5",
                                  .resolved_case = resolved,
                                  .version = PDPLATE_VERSION,
                                  .velocities = c.moves(),
                                  .goes_on = goes_on,
-                                 .in_plane = c.analysis.kind == Analysis::Kind::static_ &&
-                                             (c.stretches || c.faces_touch() || plate::loaded_in_plane(c))};
+                                 .in_plane = of_state && (c.stretches || c.faces_touch() || plate::loaded_in_plane(c))};
   auto sink = std::make_unique<post::Folder>(
       post::FolderOptions{options.folder, c.output.vtk, c.output.hdf5, std::move(state), options.communicator},
       std::move(lock));

@@ -225,9 +225,8 @@ Fields<Analysis> analysis_fields() {
       number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies or of buckling loads, from the lowest")
           .in({A::Kind::frequencies, A::Kind::buckling}),
       boolean<A>("nonlinear", &A::nonlinear,
-                 "large deflections: the middle plane stretches with them (von Karman), by steps of the load; "
-                 "formulation = \"galerkin\"")
-          .in({A::Kind::static_}),
+                 "large deflections: the middle plane stretches with them (von Karman); formulation = \"galerkin\"")
+          .in({A::Kind::static_, A::Kind::dynamic}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
       choice<A, A::Start>("start", &A::start, starts,
                           "the plate at time 0: without deformation, or in equilibrium with the loads of that time")

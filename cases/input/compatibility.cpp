@@ -85,7 +85,6 @@ constexpr const char* own_estimates = "estimates the error itself: remove srif.r
 constexpr const char* equilibria =
     "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
-constexpr const char* in_plane_at_rest = "loads in the plane are carried at rest: choose \"static\"";
 constexpr const char* of_bending = "compares factors of bending, not N1 and N2 of loads in the plane: remove it";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
 constexpr const char* layer_kinds = "support[].kind";
@@ -175,8 +174,12 @@ const std::vector<Exclusion> excluded_pairs{
     {processes, layers, layer_kinds, by_one_process("layers cannot be run")},
     {processes, second_formulation, "srif.second_formulation", by_one_process("a second formulation cannot be run")},
     {processes, factors_to_accuracy, "srif.accuracy", by_one_process("spacings cannot be sought")},
-    {load_in_plane, motion, "analysis.kind", in_plane_at_rest},
-    {load_in_plane, harmonic, "analysis.kind", in_plane_at_rest},
+    {load_in_plane, harmonic, "analysis.kind",
+     "loads in the plane have no harmonic response yet: choose \"static\" or \"dynamic\""},
+    {load_in_plane, lanczos, "analysis.method",
+     "\"lanczos\" moves plates that bend alone, and loads act in the plane; choose \"central_difference\""},
+    {load_in_plane, stiffness_damping, "analysis.damping",
+     "damping by the stiffness does not act in the plane yet: give mass alone"},
     {load_in_plane, growth, "growth", "loads in the plane do not drive the growth of cracks yet: remove one of them"},
     {load_in_plane, factors_to_accuracy, "srif.accuracy", of_bending},
     {load_in_plane, second_formulation, "srif.second_formulation", of_bending},
@@ -184,6 +187,13 @@ const std::vector<Exclusion> excluded_pairs{
      "\"settlement\" given: supports that move are not carried with large deflections yet: remove it, or nonlinear"},
     {large_deflections, unilateral_foundation, "foundation",
      "soil that lifts off is not carried with large deflections yet: remove lifts_off, or analysis.nonlinear"},
+    {large_deflections, lanczos, "analysis.method",
+     "\"lanczos\" needs a linear plate, and large deflections make it nonlinear; choose \"central_difference\""},
+    {large_deflections, stiffness_damping, "analysis.damping",
+     "the stiffness changes with the deflections, and so would damping by it: give mass alone"},
+    {large_deflections, equilibrium_start, "analysis.start",
+     "\"equilibrium\" given: large deflections begin undeformed or with initial.deflection; let loads grow by a "
+     "history"},
     {large_deflections, growth, "growth",
      "the loads at which cracks grow are found for linear plates: remove it, or analysis.nonlinear"},
     {large_deflections, load_cases, "case",

@@ -160,10 +160,11 @@ void resolve_method(Case& content, const Reading& reading) {
   if (analysis.kind == Analysis::Kind::static_ && !plate::formulation_of(d).offers(Feature::symmetry))
     analysis.method = Analysis::Method::direct;
   const bool graded = d.tip_spacing || d.hole_spacing || reading.finds_spacing;
-  const bool needs_steps =
-      content.impact || content.unilateral() || std::ranges::any_of(content.loads, [](const auto& load) {
-        return load.template as<plate::Settlement>() || load.moves();
-      });
+  const auto needs_steps_for = [](const plate::Load& load) {
+    return load.as<plate::Settlement>() || load.moves() || load.in_plane();
+  };
+  const bool needs_steps = content.impact || content.unilateral() || analysis.nonlinear ||
+                           std::ranges::any_of(content.loads, needs_steps_for);
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
   // stiffness damping shortens the stable step a hundred times and more; vectors take none
   const bool damped = analysis.damping && analysis.damping->stiffness > 0 && !reading.distributed &&

@@ -32,13 +32,6 @@ namespace {
 
 using plate::Analysis;
 
-/// The part of the strain energy that foundations and springs have.
-void add_elastic_support_energy(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
-  const auto& [elastic_supports, map] = std::tie(plate.boundary().elastic_supports, plate.boundary().map);
-  if (!elastic_supports.parts().empty()) summary.energy.emplace_back("attached", elastic_supports.energy(state, map));
-  if (elastic_supports.unilateral()) summary.touching = elastic_supports.contact_share(state, map);
-}
-
 /// Warns or throws where the strain energy differs from the work of the loads, for formulations whose forces are no
 /// derivative of an energy: the difference tells how coarse the points are. Measured with surface nodes, seven kinds of
 /// support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
@@ -373,6 +366,7 @@ std::unique_ptr<PlateAnalysis> analysis_of(const ValidatedPlate& ready, Outputs&
   if (!c.load_cases.empty()) return load_cases(ready, outputs);
   if (c.analysis.kind == Analysis::Kind::harmonic) return harmonic_response(ready, outputs);
   if (c.analysis.kind == Analysis::Kind::buckling) return buckling(ready, outputs);
+  if (c.moves() && ready.membrane) return stretched_motion(ready, outputs, checkpoints);
   if (c.analysis.nonlinear) return large_deflections(ready, outputs);
   return std::make_unique<SinglePlate>(ready, outputs, checkpoints);
 }

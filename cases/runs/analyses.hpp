@@ -22,7 +22,7 @@ struct ValidatedPlate {
   };
   plate::Stopwatch stopwatch;
   std::unique_ptr<plate::Formulation> plate;
-  std::unique_ptr<plate::Formulation> membrane;  // where loads act in the plane
+  std::unique_ptr<plate::Formulation> membrane;  // where loads act in the plane, or the middle plane stretches
   std::vector<std::string> warnings;
   std::vector<post::TipMethods> tip_methods, membrane_methods;
   post::OtherFactors other_factors;
@@ -49,6 +49,10 @@ std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Ou
 
 /// Equilibrium with large deflections (von Karman).
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs);
+
+/// Motion under loads in the plane or with large deflections. `checkpoints`: as run().
+std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Outputs& outputs,
+                                                RunCheckpoints* checkpoints);
 
 /// Loads in the plane at which a flat plate buckles, and its shapes then.
 std::unique_ptr<PlateAnalysis> buckling(const ValidatedPlate& ready, Outputs& outputs);

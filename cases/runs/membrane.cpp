@@ -9,6 +9,7 @@
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/statics.hpp"
+#include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/reactions.hpp"
@@ -35,7 +36,7 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
                                 const std::string& where, const plate::Stretch* stretch) {
-  const auto& [options, methods] = wanted;
+  const auto& [options, methods, all_rings, largest_before] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
@@ -44,10 +45,12 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
   if (options) {
-    result.factors = post::srifs(membrane, *options, methods, state, true, nullptr, stretch);
+    result.factors = post::srifs(membrane, *options, methods, state, all_rings, nullptr, stretch);
+    std::vector<double> none, &largest = largest_before ? *largest_before : none;
+    if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
     for (const auto& some :
          {post::left_out(membrane.tips(), methods),
-          post::warnings_about_factors(result.factors, {}, membrane.section().thickness, membrane.remedy())})
+          post::warnings_about_factors(result.factors, largest, membrane.section().thickness, membrane.remedy())})
       for (const auto& line : some) result.warnings.push_back(of_plane(line));
     post::require_finite(result.factors, where);
   }
@@ -117,6 +120,13 @@ std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& 
                       "touch here: results are of faces that overlap",
                       one->tip, one->position.x(), one->position.y()));
   return result;
+}
+
+std::vector<std::string> warnings_about_rotations(double largest) {
+  constexpr double moderate = 0.3;
+  if (largest <= moderate) return {};
+  return {fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; reduce the loads", largest,
+                      moderate)};
 }
 
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs) {

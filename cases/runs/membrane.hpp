@@ -28,6 +28,8 @@ struct MembraneResult {
 struct MembraneFactorsWanted {
   const std::optional<post::SrifOptions>& options;
   const std::vector<post::TipMethods>& methods;
+  bool all_rings = true;
+  std::vector<double>* largest = nullptr;  // of a motion: the largest factor of every tip at earlier times
 };
 
 /// Solves a plate in its plane under all its loads.
@@ -62,6 +64,9 @@ std::string of_plane(std::string warning);
 /// Warnings about cracks whose faces loads in the plane press together: without contact they are taken as free.
 /// @throws plate::NumericalError  as membrane_at_rest()
 std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis);
+
+/// Warning about rotations to which von Karman's strains do not hold.
+std::vector<std::string> warnings_about_rotations(double largest);
 
 /// Warnings about tips at which the faces of the crack overlap at z > 0, by bending and membrane forces together.
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs);

@@ -22,6 +22,12 @@
 
 namespace cases {
 
+void add_elastic_support_energy(const plate::Formulation& plate, const plate::State& state, post::Summary& summary) {
+  const auto& [elastic_supports, map] = std::tie(plate.boundary().elastic_supports, plate.boundary().map);
+  if (!elastic_supports.parts().empty()) summary.energy.emplace_back("attached", elastic_supports.energy(state, map));
+  if (elastic_supports.unilateral()) summary.touching = elastic_supports.contact_share(state, map);
+}
+
 Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::vector<post::TipMethods>& methods)
     : outputs_(outputs),
       plate_(plate),
@@ -36,6 +42,13 @@ Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::v
 void Results::in_plane(const plate::Formulation& membrane, MembraneResult result) {
   membrane_ = &membrane, in_plane_ = std::move(result);
   outputs_.summary().membrane = in_plane_->summary;
+}
+
+/// Finds the stress by bending and membrane forces together, where the strain energy is larger than before.
+void Results::look_at_stress(const plate::Instant& now, const plate::Heat& heat) {
+  auto frame = post::frame_of(plate_, now.time, now.step, now.state, true, &heat);
+  add_in_plane(frame, plate_, *membrane_, *in_plane_);
+  extremes_.frame(now.time, frame.resultants);
 }
 
 void Results::sample(const plate::Instant& now, bool last) {
@@ -65,6 +78,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (content().moves() && last) energy_balance_.check(terms, when);  // no further row looks back at this one
   reactions_.add(now, growth_ ? growth_->plate() : plate_);
   if (!growth_) extremes_.row(now);
+  if (in_plane_ && content().moves() && extremes_.time() == now.time) look_at_stress(now, heat);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
     if (growth_) return fracture::of_all(plate_, growth_->factors(now.state));
@@ -186,7 +200,13 @@ void Results::finish() {
     recorder.picture("curves", post::to_svg(post::curves_of_motion(content().title, times_, factors_.rows(), history,
                                                                    content().si())));
   summary.frequencies = frequencies_;
-  post::conclude(summary, {section, content().srif, content().si(), history, reactions_, factors_.last()});
+  post::conclude(summary, {.section = section,
+                           .options = content().srif,
+                           .si = content().si(),
+                           .history = history,
+                           .reactions = reactions_,
+                           .factors = factors_.last(),
+                           .stretches = content().stretches});
   if (!growth_)
     post::look_for_largest(summary, section, fracture::of_all(plate_, extremes_.found()), times_, factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };

@@ -7,6 +7,7 @@
 #include "post/report/reactions.hpp"
 
 namespace plate {
+struct Heat;
 struct Instant;
 struct Mode;
 }  // namespace plate
@@ -16,6 +17,9 @@ class MovingGrowth;
 }
 
 namespace cases {
+
+/// Adds the part of the strain energy that foundations and springs have to a summary.
+void add_elastic_support_energy(const plate::Formulation& plate, const plate::State& state, post::Summary& summary);
 
 /// Results of one plate at rest, in motion or by its frequencies, for the outputs of its run: rows, factors and
 /// frames as the solver goes, then the tables.
@@ -61,6 +65,7 @@ public:
 private:
   template <typename Archive>
   void memory(Archive& archive);
+  void look_at_stress(const plate::Instant& now, const plate::Heat& heat);
   post::Cracks finish_growth();
   std::string remedy() const;
 

@@ -54,7 +54,7 @@ MembraneResult LargeDeflectionRun::in_plane(const plate::LargeDeflections& found
 }
 
 void LargeDeflectionRun::warn(const plate::LargeDeflections& found) {
-  constexpr double moderate = 0.3, coarse = 0.05;
+  constexpr double coarse = 0.05;
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const auto& step = found.steps[i];
@@ -72,11 +72,8 @@ void LargeDeflectionRun::warn(const plate::LargeDeflections& found) {
         fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
                     "that grows with the loads; see load_steps.csv",
                     100 * apart));
-  const double turn = found.bending.bottomRows(2).colwise().norm().maxCoeff();
-  if (turn > moderate)
-    lines.push_back(fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; reduce the loads",
-                                turn, moderate));
   outputs_.warn(std::move(lines));
+  outputs_.warn(warnings_about_rotations(found.bending.bottomRows(2).colwise().norm().maxCoeff()));
 }
 
 void LargeDeflectionRun::solve() {

@@ -59,6 +59,19 @@ void Constraints::tie(const Dof& follower, std::vector<Leader> leaders, std::vec
     of_ties_.try_emplace(follower, std::move(offsets));
 }
 
+void Constraints::add(const Constraints& others, std::uint32_t first) {
+  const auto moved = [&](const Dof& one) { return Dof{first + one.point, one.component}; };
+  for (const auto& fixed : others.fixed()) fix(moved(fixed));
+  const auto& ties = others.ties();  // ascending by follower
+  for (std::size_t i = 0; i < ties.size();) {
+    const auto follower = ties[i].follower;
+    std::vector<Leader> leaders;
+    for (; i < ties.size() && ties[i].follower == follower; ++i)
+      leaders.push_back({moved(ties[i].leader), ties[i].factor});
+    tie(moved(follower), std::move(leaders));
+  }
+}
+
 void Constraints::resolve() {
   std::unordered_set<Dof> fixed(fixed_.begin(), fixed_.end());
   std::vector<Dof> zero;

@@ -35,6 +35,10 @@ public:
   /// resolves the chains. A dof that is tied twice keeps its first leaders.
   void tie(const Dof& follower, std::vector<Leader> leaders, std::vector<Offset> offsets = {});
 
+  /// Adds resolved constraints of other points, which are counted from `first` here, without the motions of their
+  /// supports. Before resolve().
+  void add(const Constraints& others, std::uint32_t first);
+
   /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
   void resolve();
 

@@ -108,6 +108,7 @@ double Formulation::strain_energy(const State& state) const {
 }
 
 Forces Formulation::total_load() const {
+  if (loads().empty()) return zero_forces(points());
   Forces load = loads().front().forces;
   for (std::size_t i = 1; i < loads().size(); ++i) load += loads()[i].forces;
   return load;

@@ -25,14 +25,13 @@ public:
   void find(const GalerkinFamilies& families, const PointSections& sections, std::size_t k, const State& bending,
             const State& membrane);
 
-  std::size_t members() const { return count_; }
   double energy() const;
   /// Mean strains xx, yy, 2 xy.
   const Eigen::Vector3d& strains() const { return strain_; }
   /// N [force/length] times the area of the point.
   const Eigen::Vector3d& forces() const { return S_; }
-  /// Derivative of the energy by the unknowns [3 members].
-  Eigen::VectorXd derivative();
+  /// Writes the derivatives of the energy by w, u, v of every member [members].
+  void derivative(Eigen::Vector3d* by_members) const;
   /// Second derivatives of the energy [3 members x 3 members].
   const Eigen::MatrixXd& second_derivative();
   /// Second derivative by two deflections alone, with the slopes at zero.
@@ -117,12 +116,25 @@ void Family::differentiate() {
   }
 }
 
-Eigen::VectorXd Family::derivative() {
-  differentiate();
-  Eigen::VectorXd stress(by_unknowns_.rows());
-  stress.head<3>() = S_;
-  for (std::size_t b = 1; b < count_; ++b) stress.segment<2>(Eigen::Index(2 * b + 1)) = bonds_[b].force;
-  return by_unknowns_.transpose() * stress;
+/// By mean strains and residuals: D_i . (N g - sum of phi m n), (N - sum of f n) D_i and what each bond has of its
+/// ends, with phi = f . n and the mean slope m along the bond.
+void Family::derivative(Eigen::Vector3d* by_members) const {
+  Eigen::Matrix2d N;
+  N << S_[0], S_[2], S_[2], S_[1];
+  Point by_slope = N * slope_;
+  for (std::size_t i = 0; i < count_; ++i) by_members[i].setZero();
+  for (std::size_t b = 1; b < count_; ++b) {
+    const auto& bond = bonds_[b];
+    const double phi = bond.force.dot(bond.n);
+    by_slope -= phi * bond.mean_slope * bond.n;
+    N -= bond.force * bond.n.transpose();
+    const Eigen::Vector3d end = bond.inverse * Eigen::Vector3d(phi * bond.slope, bond.force.x(), bond.force.y());
+    by_members[b] += end, by_members[0] -= end;
+  }
+  for (std::size_t i = 0; i < count_; ++i) {
+    by_members[i][0] += by_slope.dot(gradient_[i]);
+    by_members[i].tail<2>() += N * gradient_[i];
+  }
 }
 
 double Family::geometric(std::size_t i, std::size_t j) const {
@@ -224,10 +236,8 @@ void GalerkinStretching::internal_force(const State& bending, const State& membr
   std::vector<std::size_t> first{0};
   for (std::size_t k = 0; k < families_.areas.size(); ++k) first.push_back(first.back() + f[k].size() + 1);
   std::vector<Eigen::Vector3d> found(first.back());
-  for_each_family(families_, sections_, bending, membrane, [&](Family& family, std::size_t k) {
-    const auto derivative = family.derivative();
-    for (std::size_t i = 0; i < family.members(); ++i) found[first[k] + i] = derivative.segment<3>(Eigen::Index(3 * i));
-  });
+  for_each_family(families_, sections_, bending, membrane,
+                  [&](const Family& family, std::size_t k) { family.derivative(found.data() + first[k]); });
   on_bending.setZero(unknowns_per_point, bending.cols());
   on_membrane.setZero(unknowns_per_point, membrane.cols());
 #pragma omp parallel for schedule(static)

@@ -20,7 +20,7 @@ struct Analysis {
   Preconditioning preconditioner = Preconditioning::automatic;  // of cg
   double tolerance = 1e-6;                   // static: residual / load; frequencies: of the eigenpairs, 1e-4 by default
   std::size_t max_iterations = 200000;       // static; frequencies: of each solution
-  bool nonlinear = false;                    // static: large deflections
+  bool nonlinear = false;                    // static, dynamic: large deflections
   std::size_t modes = 6;                     // frequencies, buckling
   double duration = 0;                       // dynamic [time]
   std::optional<double> time_step;           // dynamic; absent: from the computed bound

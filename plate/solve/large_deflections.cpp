@@ -16,20 +16,6 @@
 namespace plate {
 namespace {
 
-/// Constraints of the points of one plate, then those of another.
-void add(const Constraints& constraints, std::uint32_t first, Constraints& sum) {
-  const auto moved = [&](const Dof& one) { return dof(first + one.point, one.component); };
-  for (const auto& fixed : constraints.fixed()) sum.fix(moved(fixed));
-  const auto& ties = constraints.ties();  // ascending by follower
-  for (std::size_t i = 0; i < ties.size();) {
-    const auto follower = ties[i].follower;
-    std::vector<Constraints::Leader> leaders;
-    for (; i < ties.size() && ties[i].follower == follower; ++i)
-      leaders.push_back({moved(ties[i].leader), ties[i].factor});
-    sum.tie(moved(follower), std::move(leaders));
-  }
-}
-
 /// Rigid motions of a piece in its plane, about a point, by a degree of freedom: u = theta_y, v = -theta_x.
 class MotionsInPlane {
 public:
@@ -125,12 +111,6 @@ void add(const PointMatrix& matrix, PointMatrix& sum) {
   }
 }
 
-State behind(const State& first, const State& second) {
-  State result(first.rows(), first.cols() + second.cols());
-  result << first, second;
-  return result;
-}
-
 /// The solution of a factor for folded forces.
 State solution(const Factor& factor, const Unknowns& unknowns, const Forces& force) {
   const Eigen::MatrixXd found = factor.solve(gathered(unknowns, force));
@@ -143,7 +123,7 @@ State solution(const Factor& factor, const Unknowns& unknowns, const Forces& for
 
 Constraints pinned(const Formulation& membrane) {
   Constraints result;
-  add(membrane.constraints(), 0, result);
+  result.add(membrane.constraints(), 0);
   for (const auto& pin : pins_of(membrane)) result.fix(pin);
   result.resolve();
   return result;
@@ -179,7 +159,7 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
       of_plane_(pinned(membrane)),
       load_(plate.total_load()),
       load_in_plane_(membrane.total_load()) {
-  add(plate.constraints(), 0, of_both_), add(of_plane_, std::uint32_t(plate.points()), of_both_);
+  of_both_.add(plate.constraints(), 0), of_both_.add(of_plane_, std::uint32_t(plate.points()));
   of_both_.resolve();
 
   const auto in_plane = folded(membrane.stiffness(), of_plane_);
@@ -193,7 +173,7 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
   std::vector<int> both;
   for (const int k : order) both.push_back(k), both.push_back(int(plate.points()) + k);
   unknowns_in_plane_ = unknowns(diagonal_in_plane, order);
-  unknowns_ = unknowns(behind(diagonal, diagonal_in_plane), both);
+  unknowns_ = unknowns(stacked(diagonal, diagonal_in_plane), both);
   plane_ = factorised(of_unknowns(in_plane, unknowns_in_plane_));
 }
 
@@ -203,7 +183,7 @@ double StretchedPlate::norm(const Forces& forces) const {
   return std::sqrt((forces.array().square() * weight_.array()).sum());
 }
 
-/// The plate in its plane in equilibrium with given deflections: linear in its displacements.
+/// Solves the plate in its plane, which is linear in its displacements.
 State StretchedPlate::in_plane(const State& bending, double factor) const {
   Forces on_bending, force;
   stretching_->internal_force(bending, zero_like(bending), on_bending, force);
@@ -269,7 +249,7 @@ bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptio
     double shift = 0;
     const auto inverse = tangent(now, shift);
     step.snapped = step.snapped || shift > 0;
-    const State way = direction(*inverse, behind(now.left, zero_like(now.left)));
+    const State way = direction(*inverse, stacked(now.left, zero_like(now.left)));
     double share = 1;
     for (int n = 0;; ++n, share /= 2) {
       Now next = at(now.bending + share * way, factor);
@@ -302,7 +282,7 @@ double StretchedPlate::by_loads(const State& bending, const State& membrane) con
 void StretchedPlate::look_ahead(Path& path) const {
   double shift = 0;
   const auto inverse = tangent(path.now, shift);
-  Forces all = behind(load_, load_in_plane_);
+  Forces all = stacked(load_, load_in_plane_);
   of_both_.fold(all);
   State rate = solution(*inverse, unknowns_, all);
   of_both_.impose(rate);

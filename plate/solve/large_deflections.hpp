@@ -60,6 +60,9 @@ public:
   /// @throws NumericalError  where a number is not finite
   LargeDeflections equilibrium(const LargeDeflectionOptions& options) const;
 
+  /// The plane in equilibrium with given deflections and without loads [3 x points].
+  State plane_at_rest(const State& bending) const { return in_plane(bending, 0); }
+
 private:
   struct Now;
   struct Path;

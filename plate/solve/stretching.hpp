@@ -4,6 +4,21 @@
 
 namespace plate {
 
+/// Values of a plate and of the same points in their plane, behind each other [3 x 2 points].
+inline State stacked(const State& plate, const State& membrane) {
+  State result(plate.rows(), plate.cols() + membrane.cols());
+  result << plate, membrane;
+  return result;
+}
+
+/// Values of the plate, or of its plane, in stacked ones [3 x points].
+inline State of_plate(const State& both) {
+  return both.leftCols(both.cols() / 2);
+}
+inline State of_plane(const State& both) {
+  return both.rightCols(both.cols() / 2);
+}
+
 /// Strains that deflections give the middle plane of a plate, grad w (x) grad w / 2, and the nodal forces by which they
 /// load it in its plane.
 struct Stretch {

@@ -188,8 +188,7 @@ void conclude(Summary& summary, Found found) {
   if (summary.reactions) warn_of(*summary.reactions, summary.analysis.tolerance.value_or(0), summary.warnings);
   if (const auto w = largest_deflection(found.history)) {
     summary.deflection_over_thickness = *w / found.section.thickness;
-    const bool linear = summary.load_steps.rows.empty();
-    if (found.si && linear && *summary.deflection_over_thickness > small_deflection)
+    if (found.si && !found.stretches && *summary.deflection_over_thickness > small_deflection)
       summary.warnings.push_back(fmt::format(
           "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g} x "
           "thickness; check units and loads, or set `nonlinear` = true",

@@ -80,6 +80,7 @@ struct Found {
   const Table& history;
   const ReactionRows& reactions;
   std::vector<Srif> factors;  // at the end
+  bool stretches = false;     // the middle plane, with the deflections
 };
 
 /// Sets what summaries of all runs say alike: factors, at the faces too, reactions, the largest deflection, and warns

@@ -241,6 +241,7 @@ void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces)
     const double factor = plate::factor(one.history, now.time);
     loads.add(factor, one.moving ? supports.applied(one.moving->whole(now.time, plate_->points())) : each[i]);
   }
+  if (now.stretched) loads.add(1, supports.applied(*now.stretched));
   if (now.contact_force) loads.add(1, supports.applied(pressing(*now.contact_force, now.state.cols())));
   plate::State acceleration = now.acceleration();
   if (drag_ > 0) acceleration += drag_ * now.velocity();

@@ -90,6 +90,13 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
   return result;
 }
 
+/// Sets the strain energy where forces are not linear in the state: half their work is another number there.
+void set_energy(const DynamicOptions& options, const ContactAndDamping& contact_and_damping, Instant& instant) {
+  if (!options.strain_energy) return;
+  instant.strain_energy = options.strain_energy(instant.state);
+  if (const auto& contact = contact_and_damping.contact()) instant.strain_energy += contact->spring();
+}
+
 /// Ranks of a distributed plate stop together, at a row.
 bool stops_at(const Constraints& constraints, bool row) {
   if (!constraints.distributed()) return stop_is_asked();
@@ -229,7 +236,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       require_finite(state, fmt::format("at step {}, time {:g}", step, time), constraints);
       auto instant = seen(now, force, work, masses, constraints, contact_and_damping);
       instant.dissipated = contact_and_damping.dissipated() + before;
-      driven.complete(instant), travelling.complete(instant);
+      driven.complete(instant), travelling.complete(instant), set_energy(options, contact_and_damping, instant);
       instant.held_force = std::move(held_force), instant.interrupted = stops;
       observe(instant);
     }

@@ -78,7 +78,7 @@ struct Instant {
   std::optional<ImpactorMotion> contact_force = {};
   /// State less a motion as one rigid body, in statics (StaticResult); none where it is the state.
   const State* rest = nullptr;
-  /// Forces beside the loads, in statics: of the stretched middle plane on the deflections; none where it is null.
+  /// Forces beside the loads: of the stretched middle plane on the deflections; none where it is null.
   const Forces* stretched = nullptr;
   const State& what_strains() const { return rest ? *rest : state; }
 };
@@ -145,6 +145,8 @@ struct DynamicOptions {
   /// now. A checkpoint is saved, too, before a signal ends the motion.
   std::function<bool()> due = {};
   std::function<void(const MotionCheckpoint&)> save = {};
+  /// Strain energy of a state of a plate whose forces are not linear in it; absent: half their work.
+  std::function<double(const State&)> strain_energy = {};
 };
 
 /// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a

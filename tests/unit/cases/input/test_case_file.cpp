@@ -92,6 +92,14 @@ TEST_CASE("dynamic analysis takes its own method and keys") {
   CHECK(read(dynamic, {"analysis.time_step=1e-5"}).content.analysis.time_step == 1e-5);
   CHECK(read(dynamic, {"load[0].history=[[0, 0], [1, 2.5]]"}).content.loads[0].history.table ==
         std::vector<std::pair<double, double>>{{0, 0}, {1, 2.5}});
+  using enum cases::Analysis::Method;
+  const auto graded = [](std::vector<std::string> settings) {
+    settings.emplace_back("discretization.tip_spacing=0.02");
+    return read(dynamic, settings).content.analysis.method;
+  };
+  CHECK(graded({}) == lanczos);
+  CHECK(graded({"analysis.nonlinear=true"}) == central_difference);
+  CHECK(graded({"load=[{kind='edge_traction',edges=['right'],value=1}]"}) == central_difference);
 }
 
 TEST_CASE("overrides are values of TOML or bare words") {

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+
+#include "cases/runs/analyses.hpp"
+#include "cases/runs/checkpoints.hpp"
+#include "cases/runs/results.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/model/membrane.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/archive.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/stretched_motion.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
+#include "post/files/result_checks.hpp"
+#include "post/report/terminal.hpp"
+
+namespace cases {
+namespace {
+
+/// Motion of a plate and its plane by central differences.
+class StretchedMotionRun : public PlateAnalysis {
+public:
+  StretchedMotionRun(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints)
+      : PlateAnalysis(ready, outputs),
+        results_(outputs, plate_, ready.tip_methods),
+        membrane_(*ready.membrane),
+        both_(plate_, membrane_, content().analysis.rotary_inertia),
+        checkpoints_(checkpoints) {}
+
+  void solve() override;
+  void finish() override;
+
+private:
+  plate::DynamicOptions options();
+  void observe(const plate::Instant& both);
+  MembraneResult in_plane(const plate::Instant& both, bool last);
+  void conclude(const plate::Instant& both, const plate::Instant& now, bool last);
+  void save(const plate::MotionCheckpoint& now);
+  std::optional<plate::MotionCheckpoint> restored();
+
+  Results results_;
+  const plate::Formulation& membrane_;
+  plate::StretchedMotion both_;
+  RunCheckpoints* checkpoints_;
+  std::vector<double> largest_in_plane_;  // factor of every tip so far
+  double largest_rotation_ = 0;
+};
+
+/// Options of the motion, but for checkpoints.
+plate::DynamicOptions StretchedMotionRun::options() {
+  const auto& analysis = content().analysis;
+  const auto& [grid, begin] = std::tie(ready_.steps->grid, ready_.begin);
+  plate::DynamicOptions result{grid.time_step, grid.steps, grid.steps_per_row};
+  result.given = begin.given;
+  if (analysis.start == plate::Analysis::Start::equilibrium) result.start = both_.at_rest(analysis);
+  if (begin.deflected.size() > 0) {
+    result.start = both_.deflected(begin.deflected), result.bent = true;
+    result.given += both_.energy_in_plane(result.start);
+  }
+  if (begin.velocity.size() > 0) result.velocity = plate::stacked(begin.velocity, plate::zero_like(begin.velocity));
+  result.impact = begin.impact;
+  if (analysis.damping) result.mass_damping = analysis.damping->mass;
+  if (plate::has_prescribed_displacements(plate_)) result.unconstrained_mass = both_.unconstrained_mass();
+  if (both_.stretching()) result.strain_energy = [&](const plate::State& state) { return both_.strain_energy(state); };
+  return result;
+}
+
+/// Finds the results in the plane at an instant. Inertia and damping act as loads there.
+MembraneResult StretchedMotionRun::in_plane(const plate::Instant& both, bool last) {
+  const plate::State bending = plate::of_plate(both.state), membrane = plate::of_plane(both.state);
+  plate::State acceleration = plate::of_plane(both.acceleration());
+  if (const auto& damping = content().analysis.damping)
+    acceleration += damping->mass * plate::of_plane(both.velocity());
+  plate::Forces load = both_.load_in_plane(both.time);
+  load -= plate::of_plane(both_.unconstrained_mass()).cwiseProduct(acceleration);
+  const auto* stretching = both_.stretching();
+  std::optional<plate::Stretch> stretch;
+  if (stretching) stretch = stretching->stretch(bending), load += stretch->forces;
+  auto result =
+      membrane_results(membrane_, membrane, load, {content().srif, ready_.membrane_methods, last, &largest_in_plane_},
+                       "in the plane", stretch ? &*stretch : nullptr);
+  if (stretching) result.forces.moments = result.fields.force = stretching->membrane_forces(bending, membrane);
+  result.summary.strain_energy = both_.energy_in_plane(both.state);
+  result.summary.external_work = both.external_work;
+  return result;
+}
+
+/// Takes a row and perhaps a frame. `both`: of the plate and its plane.
+void StretchedMotionRun::observe(const plate::Instant& both) {
+  const auto& grid = ready_.steps->grid;
+  const bool last = both.step == grid.steps;
+  stopwatch().lap("solve");
+  const plate::State bending = plate::of_plate(both.state);
+  plate::Instant now{.step = both.step,
+                     .time = both.time,
+                     .state = bending,
+                     .velocity = [&] { return plate::of_plate(both.velocity()); },
+                     .kinetic_energy = both.kinetic_energy,
+                     .external_work = both.external_work,
+                     .strain_energy = both.strain_energy,
+                     .discrete_kinetic_energy = both.discrete_kinetic_energy,
+                     .potential = both.potential,
+                     .acceleration = [&] { return plate::of_plate(both.acceleration()); },
+                     .interrupted = both.interrupted,
+                     .dissipated = both.dissipated,
+                     .contact_force = both.contact_force};
+  plate::Forces on_bending, on_membrane;
+  if (const auto* stretching = both_.stretching()) {
+    stretching->internal_force(bending, plate::of_plane(both.state), on_bending, on_membrane);
+    now.stretched = &on_bending;
+    largest_rotation_ = std::max(largest_rotation_, bending.bottomRows(2).colwise().norm().maxCoeff());
+  }
+  results_.in_plane(membrane_, in_plane(both, last));
+  results_.sample(now, last);
+  stopwatch().lap("srif");
+  if (last || now.interrupted || now.time >= results_.next_frame() - grid.time_step / 2) results_.frame(now);
+  stopwatch().lap("output");
+  conclude(both, now, last);
+}
+
+/// Sets the energies of the summary. At the end, says where nothing has moved.
+void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Instant& now, bool last) {
+  auto& summary = this->summary();
+  summary.analysis.steps = now.step;
+  const double stretching = both_.energy_in_plane(both.state);
+  summary.energy = {{"strain", results_.strain_energy()},
+                    {"bending", results_.strain_energy() - stretching},
+                    {"stretching", stretching},
+                    {"kinetic", now.kinetic_energy},
+                    {"external_work", results_.external_work()}};
+  add_elastic_support_energy(plate_, now.state, summary);
+  if (content().analysis.damping) summary.energy.emplace_back("dissipated", now.dissipated);
+  const plate::State membrane = plate::of_plane(both.state);
+  if (!last || post::moves(now.state, now.external_work, plate_) || post::moves(membrane, now.external_work, membrane_))
+    return;
+  const auto& loaded = plate::loaded_in_plane(content()) ? membrane_ : plate_;
+  post::require_motion(loaded, post::forces_of(loaded), &loaded == &plate_ ? now.state : membrane, now.external_work,
+                       summary.warnings);
+}
+
+void StretchedMotionRun::save(const plate::MotionCheckpoint& now) {
+  const auto save_state = [&](plate::OutArchive& archive) {
+    archive(now, largest_in_plane_, largest_rotation_);
+    results_.save(archive);
+  };
+  const std::array<plate::State, 4> parts{plate::of_plate(now.state), plate::of_plane(now.state),
+                                          plate::of_plate(now.velocity), plate::of_plane(now.velocity)};
+  checkpoints_->save(save_state, [&] {
+    return own_values(plate_.boundary(), {&parts[0], &parts[1], &parts[2], &parts[3], &results_.state_of_largest()});
+  });
+}
+
+/// Restores the motion that was found; none where none was.
+std::optional<plate::MotionCheckpoint> StretchedMotionRun::restored() {
+  plate::MotionCheckpoint result;
+  const bool found = checkpoints_->restore([&](plate::InArchive& archive) {
+    archive(result, largest_in_plane_, largest_rotation_);
+    results_.restore(archive);
+  });
+  if (!found) return std::nullopt;
+  std::array<plate::State, 4> parts;
+  std::vector<RestoredState> states;
+  for (auto& part : parts) states.push_back({&part});
+  states.push_back({&results_.state_of_largest()});
+  put_values(plate_.boundary(), checkpoints_->parts(), states);
+  result.state = plate::stacked(parts[0], parts[1]), result.velocity = plate::stacked(parts[2], parts[3]);
+  return result;
+}
+
+void StretchedMotionRun::solve() {
+  auto& about = summary().analysis;
+  const auto& [limit, grid] = *ready_.steps;
+  const double duration = content().analysis.duration;
+  about.method = "central_difference";
+  about.time_step = grid.time_step, about.time_step_limit = limit, about.duration = duration;
+  post::Progress progress(quiet(), "central differences");
+  auto options = this->options();
+  std::optional<plate::MotionCheckpoint> from;
+  if (checkpoints_) {
+    options.due = [&] { return checkpoints_->due(); };
+    options.save = [&](const plate::MotionCheckpoint& now) { save(now); };
+    if ((from = restored())) options.from = &*from;
+  }
+  plate::central_differences(both_, both_.constraints(), both_.mass(), both_.loads(), options,
+                             [&](const plate::Instant& both) {
+                               progress.update(both.time / duration, fmt::format("t = {:.4g}", both.time));
+                               observe(both);
+                             });
+  about.stop_reason = "end of the duration";
+}
+
+void StretchedMotionRun::finish() {
+  outputs_.warn(warnings_about_rotations(largest_rotation_));
+  results_.finish();
+}
+
+}  // namespace
+
+std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Outputs& outputs,
+                                                RunCheckpoints* checkpoints) {
+  return std::make_unique<StretchedMotionRun>(ready, outputs, checkpoints);
+}
+
+}  // namespace cases

@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/operator.hpp"
+#include "plate/model/nodal_forces.hpp"
+#include "plate/solve/stretching.hpp"
+
+namespace plate {
+
+class Formulation;
+struct Analysis;
+
+/// A plate and the same points in their plane (PlateLaw::membrane) that move by central differences. All states, forces
+/// and masses are stacked() [3 x 2 points]. Where the middle plane stretches (Problem::stretches) the plate has von
+/// Karman's strains, and its forces are not linear in the state; else neither part acts on the other.
+class StretchedMotion : public Operator {
+public:
+  /// Both must outlive this. `rotary`: factor of the rotary inertia.
+  StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary);
+  ~StretchedMotion() override;
+
+  std::size_t points() const override;
+  void internal_force(const State& state, Forces& forces) const override;
+  /// Bounds |K| state of the linear part.
+  void absolute_product(const State& state, Forces& forces) const override;
+  /// Diagonal of the linear part.
+  Forces diagonal() const override;
+
+  const Constraints& constraints() const { return constraints_; }
+  /// Mass of every degree of freedom, carried over to the free ones or not. u and v have that of w.
+  Forces mass() const;
+  const Forces& unconstrained_mass() const { return unconstrained_mass_; }
+  std::vector<TimedLoad> loads() const;
+  /// Loads in the plane at a time [3 x points].
+  Forces load_in_plane(double time) const;
+  /// Strain energy of the plane, with that of the deflections where they stretch it.
+  double energy_in_plane(const State& state) const;
+  double strain_energy(const State& state) const;
+
+  /// State of rest under the loads of time 0, of a plate whose plane does not stretch; nothing where these are none.
+  /// @throws NumericalError  where there is no equilibrium
+  State at_rest(const Analysis& analysis) const;
+  /// State with given deflections: u and v are in equilibrium with them.
+  State deflected(const State& bending) const;
+
+  /// The middle plane where it stretches, else null.
+  const Stretching* stretching() const { return stretching_.get(); }
+
+private:
+  const Formulation& plate_;
+  const Formulation& membrane_;
+  std::unique_ptr<const Stretching> stretching_;
+  Constraints constraints_;
+  Forces unconstrained_mass_;
+};
+
+/// Stable time step of a plate and its plane. `rotary`: factor of the rotary inertia. Where the middle plane stretches,
+/// 0.9 of that at rest: slopes of 0.3, to which von Karman's strains hold, raise the largest frequency by up to 10 %.
+double stable_time_step(const Formulation& plate, const Formulation& membrane, double rotary);
+
+}  // namespace plate
