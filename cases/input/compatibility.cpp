@@ -51,7 +51,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 35> words{{
 }};
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 21> features{{
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 22> features{{
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -73,6 +73,8 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 21> features{{
     {plate::Feature::sections, "plies, directions, regions or factors of the section"},
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
     {plate::Feature::in_plane, "loads in the plane"},
+    {plate::Feature::stretching,
+     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, and frequencies under loads in the plane"},
 }};
 
 std::string by_one_process(const char* what) {

@@ -234,7 +234,8 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
   const std::string asymmetric = "the stiffness with " + nodes + " is not symmetric: ";
   return {{Feature::layers, nodes + " hold edges, not layers"},
           {Feature::any_direction, nodes + " are of edges along the axes"},
-          {Feature::in_plane, "displacements in the plane are of the Galerkin plate"},
+          {Feature::in_plane, nodes + " have conditions of plates that bend, not of displacements in the plane"},
+          {Feature::stretching, "bonds carry loads in the plane at rest, and know no stretching of deflected plates"},
           {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
           {Feature::short_horizon, asymmetric + "it is solved directly"},
           {Feature::levels, asymmetric + "it is solved directly"},

@@ -87,7 +87,8 @@ enum class Feature {
   running_tips,    // tips that run while the plate moves
   sections,        // that vary or have directions
   stiffeners,      // beams on the plate
-  in_plane         // loads and displacements in the plane
+  in_plane,        // loads and displacements in the plane, at rest
+  stretching       // what couples both: large deflections, buckling, frequencies under loads in the plane
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a
