@@ -8,6 +8,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/bonds/family_weights.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
+#include "plate/bonds/loads_in_plane.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/bonds/preconditioners.hpp"
 #include "plate/bonds/results.hpp"
@@ -24,7 +25,6 @@
 #include "plate/formulation/springs_and_stiffeners.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/load_integration.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/process.hpp"
@@ -224,49 +224,11 @@ State lift_of(const Load& load, std::size_t number, const Boundary& boundary) {
   return result;
 }
 
-/// Nodal forces in the plane of the loads that act there, conjugate to theta_x = -v and theta_y = u: every force by
-/// the points about its place that no crack parts from it, so that forces and their moments are those of the load.
-struct InPlaneOnPoints {
-  const Boundary& boundary;
-  const geometry::Outline& outline;
-  const std::vector<geometry::CrackPath>& paths;  // [spacings]
-  Forces& forces;
-
-  void operator()(const EdgeTraction& load) const {
-    for (const auto& name : load.edges)
-      for (const EdgeBorder& border : edge_borders(name, boundary.cloud, outline)) {
-        std::vector<Point> places;
-        for (const auto k : border.near) places.push_back(boundary.lattice[k]);
-        for (const EdgePiece& piece : border.pieces)
-          for (const auto& share : seen_from(piece.middle, places, places.size()))
-            add(share.weight * load.on(piece.normal), border.near[share.point]);
-      }
-  }
-  void operator()(const BodyForce& load) const {
-    for (std::uint32_t k = 0; k < boundary.cloud.plate_points; ++k) add(boundary.cloud.areas[k] * load.vector, k);
-  }
-  void operator()(const PointForce& load) const {
-    for (const auto& share : seen_from(load.position, boundary.lattice, boundary.cloud.plate_points))
-      add(share.weight * load.vector, share.point);
-  }
-  template <class Other>
-  void operator()(const Other&) const {}
-
-private:
-  std::vector<PlaceShare> seen_from(const Point& at, const std::vector<Point>& places, std::size_t count) const {
-    return visible_place(at, boundary.cloud.units, places, count, paths);
-  }
-  void add(const Point& force, std::uint32_t k) const { forces.col(k) += PointValues(0, -force.y(), force.x()); }
-};
-
 Forces forces_of(const Load& load, const Problem& problem, const Boundary& boundary,
                  const std::vector<geometry::CrackPath>& paths) {
   if (problem.section.law == PlateLaw::bending)
     return nodal_forces(load, boundary.cloud, problem.outline, boundary.map, paths);
-  Forces result = zero_forces(boundary.cloud.size());
-  const auto in_spacings = geometry::to_lattice(paths, boundary.cloud.units);
-  std::visit(InPlaneOnPoints{boundary, problem.outline, in_spacings, result}, load.action);
-  return result;
+  return forces_in_plane(load, boundary, problem.outline, paths);
 }
 
 /// Adds warnings to `warnings`, and its time to `stopwatch`.
