@@ -295,7 +295,7 @@ std::string exclusion_list() {
   auto kinds = plate::formulations();
   for (const auto nodes : {plate::EdgeMethod::surface_nodes, plate::EdgeMethod::fictitious_nodes}) {
     plate::Discretization on_edges;
-    on_edges.formulation = kinds.back(), on_edges.boundary = nodes;
+    on_edges.formulation = plate::formulations().back(), on_edges.boundary = nodes;
     kinds.push_back(&plate::formulation_of(on_edges));
   }
   for (const auto* kind : kinds)
