@@ -311,7 +311,8 @@ Forces forces_of(const Problem& problem, std::size_t number, const SurfacePlate&
   const Load& load = problem.loads[number];
   const auto& outline = problem.outline;
   const bool in_plane = problem.section.law == PlateLaw::membrane;
-  if (in_plane && load.as<PointForce>()) return forces_in_plane(load, b, outline, paths);
+  if (in_plane && load.as<PointForce>())
+    return forces_in_plane(load, b, outline, paths, problem.discretization.horizon_ratio);
   if (!in_plane && (load.as<EdgeTraction>() || load.as<BodyForce>())) return zero_forces(b.cloud.size());
   const auto* pressure = load.as<Pressure>();
   if (load.as<PointForce>() || load.as<LineLoad>() || load.moves() || (pressure && !pressure->uniform()))
