@@ -243,3 +243,18 @@ TEST_CASE("bonds in the plane: uniform stress bends no edge by more than a spaci
     CHECK(result.summary.strain_energy == Approx(stored).epsilon(most));
   }
 }
+
+TEST_CASE("surface nodes in the plane: uniform stress is in equilibrium to rounding", "[in_plane]") {
+  for (const double nu : {0.0, 0.3})
+    for (const double height : {0.9, 0.92}) {  // edges where cells end, and beyond
+      CAPTURE(nu, height);
+      auto c = of_bonds(pulled(1.3, height, 0, 0.05, {0.7, -0.3, 0.45}), 0.05);
+      c.discretization.boundary = EdgeMethod::surface_nodes;
+      c.analysis.method = cases::Analysis::Method::direct;
+      c.section.poisson = nu;
+      const double E = c.section.young * c.section.thickness;
+      Eigen::Matrix2d H;
+      H << 0.7 + nu * 0.3, (1 + nu) * 0.45, (1 + nu) * 0.45, -0.3 - nu * 0.7;
+      CHECK(residual(c, H / E) < 1e-11);
+    }
+}
