@@ -305,7 +305,7 @@ void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, con
   for (const int s : held) forces(0, plate.body.real + s) += pressure * rest * plate.length(s) / around;
 }
 
-/// Of a membrane the loads in the plane, of a plate that bends all others.
+/// Nodal forces of load `number`: of a membrane those of loads in the plane, of a plate that bends those of all others.
 Forces forces_of(const Problem& problem, std::size_t number, const SurfacePlate& plate, const Boundary& b,
                  const std::vector<geometry::CrackPath>& paths) {
   const Load& load = problem.loads[number];
