@@ -52,7 +52,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 36> words{{
 }};
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 22> features{{
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -74,6 +74,8 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 22> features{{
     {plate::Feature::sections, "plies, directions, regions or factors of the section"},
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
     {plate::Feature::in_plane, "loads in the plane"},
+    {plate::Feature::stretching,
+     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
 }};
 
@@ -319,7 +321,7 @@ std::string exclusion_list() {
   auto kinds = plate::formulations();
   for (const auto nodes : {plate::EdgeMethod::surface_nodes, plate::EdgeMethod::fictitious_nodes}) {
     plate::Discretization on_edges;
-    on_edges.formulation = kinds.back(), on_edges.boundary = nodes;
+    on_edges.formulation = plate::formulations().back(), on_edges.boundary = nodes;
     kinds.push_back(&plate::formulation_of(on_edges));
   }
   for (const auto* kind : kinds)

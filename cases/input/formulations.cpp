@@ -7,6 +7,7 @@
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/formulations.hpp"
+#include "plate/model/membrane.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace cases {
@@ -64,22 +65,26 @@ void add_growth(const Case& content, std::vector<Asked>& found) {
     add("unstable = \"move\"", Feature::running_tips);
 }
 
-void add_large_deflections(const Case& content, std::vector<Asked>& found) {
+void add_stretching(const Case& content, std::vector<Asked>& found) {
   const auto add = [&](const char* words, const char* key) {
-    found.push_back({words, key, Feature::in_plane, true, "choose formulation = \"galerkin\""});
+    found.push_back({words, key, Feature::stretching, true, "choose formulation = \"galerkin\""});
   };
   if (content.analysis.nonlinear) add("large deflections", "analysis.nonlinear");
   if (content.faces_touch())
     found.push_back({"contact of crack faces", "cracks.contact", Feature::touching_faces, true,
                      "choose formulation = \"galerkin\""});
   if (content.analysis.kind == Analysis::Kind::buckling) add("buckling", "analysis.kind");
+  if (!plate::loaded_in_plane(content)) return;
+  if (content.analysis.kind == Analysis::Kind::frequencies)
+    add("frequencies under loads in the plane", "analysis.kind");
+  if (content.moves()) add("motion under loads in the plane", "analysis.kind");
 }
 
 void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
     if (problem.loads[i].in_plane())
       found.push_back({"loads in the plane", key_of_load(problem, i) + ".kind", Feature::in_plane, true,
-                       "choose formulation = \"galerkin\", or remove it"});
+                       "choose boundary = \"images\" or formulation = \"galerkin\", or remove it"});
 }
 
 void add_section(const plate::Problem& problem, std::vector<Asked>& found) {
@@ -109,7 +114,7 @@ std::vector<Asked> asked(const Case& content, const Reading& reading) {
   add_layers(content.supports, found);
   add_analysis(content.analysis, found);
   add_growth(content, found);
-  add_large_deflections(content, found);
+  add_stretching(content, found);
   add_section(content, found);
   return found;
 }

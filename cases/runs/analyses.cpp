@@ -32,19 +32,6 @@ namespace {
 
 using plate::Analysis;
 
-/// Warns or throws where the strain energy differs from the work of the loads, for formulations whose forces are no
-/// derivative of an energy: the difference tells how coarse the points are. Measured with surface nodes, seven kinds of
-/// support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
-void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
-                         std::vector<std::string>& warnings) {
-  constexpr double told = 0.01, most = 0.3;
-  const double apart = std::abs(strain / work - 1);
-  const auto text = fmt::format("the strain energy is {:.1f} % off the work of the loads: the points are coarse; {}",
-                                100 * apart, plate.remedy());
-  if (apart > most) throw plate::NumericalError(text);
-  if (apart > told) warnings.push_back(text);
-}
-
 /// Warns or throws where the conditions at edges are far from equilibrium. Measured with fictitious nodes, squares with
 /// 29 kinds of support and load: of those that are not refused deflections are 5 % off at most up to 1.9, then 6 %
 /// beside images where moments on free edges meet held ones (2.6), 7 % (3.7).

@@ -70,6 +70,16 @@ void require_equilibrium(const plate::Formulation& membrane, const plate::Static
                                             solution.stop_reason, solution.residual, tolerance));
 }
 
+void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
+                         std::vector<std::string>& warnings) {
+  constexpr double told = 0.01, most = 0.3;
+  const double apart = std::abs(strain / work - 1);
+  const auto text = fmt::format("the strain energy is {:.1f} % off the work of the loads: the points are coarse; {}",
+                                100 * apart, plate.remedy());
+  if (apart > most) throw plate::NumericalError(text);
+  if (apart > told) warnings.push_back(text);
+}
+
 void require_balance(const post::MembraneSummary& summary, const std::string& where) {
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({summary.strain_energy, summary.strain_energy, summary.external_work}, "in equilibrium " + where);
@@ -87,7 +97,13 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   summary.external_work = post::slow_work(membrane, found);
   if (!post::moves(solution.state, summary.external_work, membrane))
     post::require_motion(membrane, post::forces_of(membrane), solution.state, summary.external_work, result.warnings);
-  require_balance(summary, where);
+  if (membrane.offers(plate::Feature::symmetry)) {
+    require_balance(summary, where);
+    return result;
+  }
+  std::vector<std::string> coarse;
+  look_for_coarseness(summary.strain_energy, summary.external_work, membrane, coarse);
+  for (const auto& line : coarse) result.warnings.push_back(of_plane(line));
   return result;
 }
 

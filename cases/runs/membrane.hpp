@@ -49,6 +49,12 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
 void require_equilibrium(const plate::Formulation& membrane, const plate::StaticSolution& solution, double tolerance,
                          const std::string& where);
 
+/// Warns or throws where the strain energy differs from the work of the loads, for formulations whose forces are no
+/// derivative of an energy: the difference tells how coarse the points are. Measured with surface nodes, seven kinds of
+/// support, horizons of 0.7 to 2 thicknesses: deflections 4 % off where they are 34 % apart.
+void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
+                         std::vector<std::string>& warnings);
+
 /// Checks the energy of a plate in its plane at rest.
 /// @throws plate::NumericalError  it is not the work of the loads
 void require_balance(const post::MembraneSummary& summary, const std::string& where);

@@ -79,7 +79,8 @@ PointParameters disc_parameters(const Section& section, Influence kind, double h
 
 PointParameters arbitrary_horizon(const Section& section, TwistMatch match, const FamilySums& sums, double full_twist) {
   if (sums.second <= 0) return {};
-  const double bending = section.young * std::pow(section.thickness, 3) / 48;
+  const double h = section.thickness, bending = section.law == PlateLaw::membrane ? section.young * h / 4
+                                                                                  : section.young * std::pow(h, 3) / 48;
   const double twist = match == TwistMatch::frame_invariant ? sums.second / 8 : std::max(sums.twist, full_twist / 8);
   PointParameters p;
   p.d = 2 / sums.first;                                           // Dai 29

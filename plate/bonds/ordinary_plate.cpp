@@ -8,6 +8,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/bonds/family_weights.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
+#include "plate/bonds/loads_in_plane.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/bonds/preconditioners.hpp"
 #include "plate/bonds/results.hpp"
@@ -24,6 +25,7 @@
 #include "plate/formulation/springs_and_stiffeners.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
@@ -41,7 +43,8 @@ double iterations_with_diagonal(const Problem& problem) {
   const double side = (high - low).maxCoeff();
   const bool held = problem.elastically_supported() ||
                     std::ranges::any_of(problem.supports, [](const auto& s) { return !s.edges.empty(); });
-  return (held ? 1 : 3) * (2.2 + 0.084 * side / problem.section.thickness) * side / problem.discretization.spacing;
+  const double slender = problem.section.law == PlateLaw::membrane ? 0 : 0.084 * side / problem.section.thickness;
+  return (held ? 1 : 3) * (2.2 + slender) * side / problem.discretization.spacing;
 }
 
 /// Bytes of the factor of the short-horizon plate on every fourth point: measured 220 n log2 n for n = 15,600 to
@@ -221,10 +224,18 @@ State lift_of(const Load& load, std::size_t number, const Boundary& boundary) {
   return result;
 }
 
-Discretised discretised(const Problem& problem, const Communicator& all) {
-  Discretised result;
-  auto& stopwatch = result.stopwatch;
+Forces forces_of(const Load& load, const Problem& problem, const Boundary& boundary,
+                 const std::vector<geometry::CrackPath>& paths) {
+  if (problem.section.law == PlateLaw::bending)
+    return nodal_forces(load, boundary.cloud, problem.outline, boundary.map, paths);
+  return forces_in_plane(load, boundary, problem.outline, paths, problem.discretization.horizon_ratio);
+}
+
+/// Adds warnings to `warnings`, and its time to `stopwatch`.
+std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const Communicator& all,
+                                               std::vector<std::string>& warnings, Stopwatch& stopwatch) {
   const auto& d = problem.discretization;
+  const auto law = problem.section.law;
   auto paths = crack_paths(problem);
   const auto part = part_of_lattice(all, problem.outline, d);
   auto cloud = geometry::lattice(problem.outline, d.spacing, part ? std::optional(part->seen) : std::nullopt);
@@ -233,12 +244,12 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   Layout layout{problem,
                 {},
                 geometry::tips(paths),
-                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}),
+                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}, law),
                 {},
                 {}};
   auto& boundary = layout.boundary;
-  result.warnings = boundary.warnings;
-  warn_of_edges(boundary, d.spacing, result.warnings);
+  warnings = boundary.warnings;
+  warn_of_edges(boundary, d.spacing, warnings);
   stopwatch.lap("geometry");
   const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
   auto families =
@@ -246,7 +257,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   boundary.elastic_supports = elastic_supports_of(problem, boundary.cloud);
   OperatedPart operated_part;
   if (part) operated_part = operated(*part, boundary, families, layout.tips);
-  layout.pieces = pieces(boundary, families);
+  layout.pieces = pieces(boundary, families, law);
   stopwatch.lap("families");
   auto shapes = bond_shapes(families.vectors(), problem.section, d);
   check_weights(shapes, d.horizon_ratio);
@@ -254,7 +265,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   auto [weights, counts] = horizon_weights(problem, boundary, families, shapes);
   Forces load = zero_forces(boundary.cloud.size());
   for (const auto& one : problem.loads) {
-    layout.loads.push_back({nodal_forces(one, boundary.cloud, problem.outline, boundary.map, paths), one.history,
+    layout.loads.push_back({forces_of(one, problem, boundary, paths), one.history,
                             free_curvature(one, problem.section, boundary.cloud.positions, boundary.cloud.plate_points),
                             lift_of(one, layout.loads.size(), boundary)});
     if (auto& last = layout.loads.back(); last.curvature.size() > 0)
@@ -264,14 +275,25 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }
-  layout.mechanisms = mechanisms(boundary, families, layout.pieces, load);
+  layout.mechanisms = mechanisms(boundary, families, layout.pieces, load, law);
   if (layout.mechanisms.twisting > 0 && !all.distributed()) tie_twists(boundary, families);
   LatticeOperator op(FamilyOperator(std::move(families), std::move(shapes), boundary.cloud.areas, std::move(weights),
                                     std::move(operated_part)));
   op.set_elastic_supports(boundary.elastic_supports);
   layout.paths = std::move(paths);
-  result.plate = std::make_unique<OrdinaryPlate>(std::move(layout), std::move(op), counts);
+  auto result = std::make_unique<OrdinaryPlate>(std::move(layout), std::move(op), counts);
   stopwatch.lap("parameters");
+  return result;
+}
+
+Discretised discretised(const Problem& problem, const Communicator& all) {
+  Discretised result;
+  result.plate = discretised_plate(problem, all, result.warnings, result.stopwatch);
+  if (!loaded_in_plane(problem)) return result;
+  std::vector<std::string> more;
+  result.membrane = discretised_plate(membrane_of(problem), all, more, result.stopwatch);
+  for (auto& line : more)
+    if (std::ranges::find(result.warnings, line) == result.warnings.end()) result.warnings.push_back(std::move(line));
   return result;
 }
 
@@ -288,7 +310,7 @@ const FormulationKind ordinary{
     "ordinary",
     "bonds",
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
-     {Feature::in_plane, "displacements in the plane are of the Galerkin plate"},
+     {Feature::stretching, "bonds carry loads in the plane at rest, and know no stretching of deflected plates"},
      {Feature::touching_faces, "bonds have no points on the faces of cracks"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
      {Feature::any_direction, "these supports mirror or extend the lattice, at edges along x or y"},

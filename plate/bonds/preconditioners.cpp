@@ -21,12 +21,16 @@ constexpr double sweep = 0.6;  // weight of a Jacobi sweep
 constexpr double reach = 1.5;  // horizon of the short-horizon plate, in spacings
 
 /// A section whose bond-based plate (Poisson's ratio 1/3, no dilatation) comes nearest to the one given: D (1 + nu) and
-/// D (1 - nu) met in the geometric mean, the same shear stiffness.
+/// D (1 - nu) met in the geometric mean, the same shear stiffness; of a membrane its own D.
 Section bond_based(const Section& s) {
   Section result = s;
   result.poisson = 1.0 / 3;
   const double D =
       s.bending_stiffness() * std::sqrt((1 - s.poisson * s.poisson) / (1 - result.poisson * result.poisson));
+  if (s.law == PlateLaw::membrane) {
+    result.young = D * (1 - result.poisson * result.poisson) / s.thickness;
+    return result;
+  }
   result.young = 12 * D * (1 - result.poisson * result.poisson) / std::pow(s.thickness, 3);
   result.shear_correction *= s.shear_stiffness() / result.shear_stiffness();
   return result;

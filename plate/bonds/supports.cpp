@@ -273,7 +273,8 @@ bool has_images(const Side& side) {
 }
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
-                  const Discretization& discretization, const std::vector<SupportMotion>& motions, PointMap map) {
+                  const Discretization& discretization, const std::vector<SupportMotion>& motions, PointMap map,
+                  PlateLaw law) {
   Boundary result;
   result.map = std::move(map);
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
@@ -289,6 +290,8 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   builder.mirror_images();
   builder.general_images();
   builder.layers();
+  for (std::uint32_t k = 0; law == PlateLaw::membrane && k < result.cloud.size(); ++k)
+    result.constraints.fix(dof(k, 0));
   result.constraints.resolve();
   result.active.assign(result.cloud.size(), 1);
   for (std::size_t i = 0; i < result.fictitious.size(); ++i)

@@ -1,15 +1,16 @@
 #pragma once
 #include "plate/formulation/boundary.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/section.hpp"
 
 /// Supports of a plate of bonds over a horizon, and which of its points see each other (theory.md, "Supports").
 namespace plate {
 
 /// `outline` in lattice units. `motions`: of supports that loads move. `map`: of the ranks that share the plate,
-/// without its points.
+/// without its points. Of a membrane w is held everywhere.
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization, const std::vector<SupportMotion>& motions = {},
-                  PointMap map = {});
+                  PointMap map = {}, PlateLaw law = PlateLaw::bending);
 
 /// True where the plate goes on beyond the side, as images.
 bool has_images(const Side& side);

@@ -13,6 +13,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {
@@ -225,6 +226,8 @@ Discretised discretised(const Problem& problem, const Communicator&) {
   result.warnings = layout.layout.boundary.warnings;
   result.stopwatch.lap("geometry");
   result.plate = std::make_unique<SurfaceNodePlate>(std::move(layout), method);
+  if (loaded_in_plane(problem))
+    result.membrane = std::make_unique<SurfaceNodePlate>(surface_layout(membrane_of(problem), method), method);
   result.stopwatch.lap("parameters");
   return result;
 }
@@ -234,7 +237,7 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
   const std::string asymmetric = "the stiffness with " + nodes + " is not symmetric: ";
   return {{Feature::layers, nodes + " hold edges, not layers"},
           {Feature::any_direction, nodes + " are of edges along the axes"},
-          {Feature::in_plane, "displacements in the plane are of the Galerkin plate"},
+          {Feature::stretching, "bonds carry loads in the plane at rest, and know no stretching of deflected plates"},
           {Feature::touching_faces, "bonds have no points on the faces of cracks"},
           {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
           {Feature::short_horizon, asymmetric + "it is solved directly"},

@@ -7,6 +7,7 @@
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
+#include "plate/bonds/loads_in_plane.hpp"
 #include "plate/bonds/visibility.hpp"
 #include "plate/edges/multiplied_plate.hpp"
 #include "plate/edges/outlines.hpp"
@@ -71,14 +72,19 @@ void check_outline(const Problem& problem, EdgeMethod method) {
                      images + ", or a smaller spacing");
 }
 
-/// Throws Refused for symmetry supports and edge loads on plates with oblique edges. Conditions on oblique edges are
-/// those of the local plate and of whole cells: deflections under loads on them did not converge, and rotations held
-/// alone there give reaction moments that are wrong by a third.
+/// Throws Refused for loads in the plane, symmetry supports and edge loads on plates with oblique edges. Conditions on
+/// oblique edges are those of the local plate and of whole cells: deflections under loads on them did not converge, and
+/// rotations held alone there give reaction moments that are wrong by a third.
 void check_oblique(const Problem& problem) {
   if (is_rectilinear(problem.outline)) return;
   const std::string instead =
       " does not converge with surface nodes where edges are oblique to the lattice: choose boundary = \"images\" or "
       "formulation = \"galerkin\"";
+  if (problem.section.law == PlateLaw::membrane)
+    throw Refused(
+        {{Subject::edge_method, 0,
+          "loads in the plane need edges along the axes with surface nodes: choose \"images\", or formulation "
+          "= \"galerkin\""}});
   for (std::size_t k = 0; k < problem.supports.size(); ++k)
     if (problem.supports[k].kind == SupportKind::symmetry) throw Refused({{Subject::support, k, "symmetry" + instead}});
   for (std::size_t k = 0; k < problem.loads.size(); ++k)
@@ -131,6 +137,7 @@ Widest widest(const Problem& problem, EdgeMethod method) {
 }
 
 void check_horizon(const Problem& problem, EdgeMethod method) {
+  if (problem.section.law == PlateLaw::membrane) return;  // no layer beside edges; the plate that bends is checked
   const auto [of_thickness, of_side] = widest(problem, method);
   const double thickness = problem.section.thickness, side = clearance_of(problem).width.value;
   const double horizon = problem.discretization.horizon(),
@@ -197,6 +204,8 @@ Boundary boundary_of(const Problem& problem, const SurfacePlate& plate, bool mul
   for (const auto& x : b.cloud.positions) b.lattice.push_back(b.cloud.units.to_lattice(x));
   b.sides = sides_of(geometry::to_lattice(problem.outline, b.cloud.units), problem.supports);
   b.holders = holders_of(problem.supports);
+  for (std::uint32_t k = 0; problem.section.law == PlateLaw::membrane && k < b.cloud.size(); ++k)
+    b.constraints.fix(dof(k, 0));
   b.active.assign(b.cloud.size(), 1);
   std::fill(b.active.begin() + plate.body.real, b.active.end(), 0);
   return b;
@@ -223,8 +232,10 @@ void hold(const SurfacePlate& plate, const std::vector<std::size_t>& side_of, Bo
   for (std::uint32_t pin = 0; pin < b.holders.size(); ++pin)
     if (const auto& at = b.holders[pin].position) {
       const auto k = std::uint32_t(geometry::nearest_plate_point(b.cloud, *at));
-      b.constraints.fix(dof(k, 0));
-      b.holds.push_back({k, pin, false});
+      const bool clamps = b.holders[pin].kind == SupportKind::clamped;  // of a membrane alone
+      for (std::uint32_t c = 0; c < (clamps ? std::uint32_t(unknowns_per_point) : 1U); ++c)
+        b.constraints.fix(dof(k, c));
+      b.holds.push_back({k, pin, clamps});
     }
 }
 
@@ -251,9 +262,20 @@ SparseStiffness stiffness_of(const SurfacePlate& plate, EdgeMethod method, Bound
   return stiffness;
 }
 
-/// Action of a load on an edge with this normal.
-EdgeAction action_of(const Load& load, const Point& n) {
+/// Forces in the plane on an edge with this normal, as moments (PlateLaw::membrane), as far as nothing holds it.
+EdgeAction action_of(const EdgeTraction& load, const Point& n, SupportKind kind) {
+  const auto held = held_by(kind);
+  const Point force = load.on(n);
   EdgeAction action;
+  if (!held.normal) action.moment = force.dot(n);
+  if (!held.tangential) action.twisting_moment = force.dot(Point(-n.y(), n.x()));
+  return action;
+}
+
+/// Action of a load on an edge with this normal.
+EdgeAction action_of(const Load& load, const Point& n, SupportKind kind) {
+  EdgeAction action;
+  if (const auto* traction = load.as<EdgeTraction>()) return action_of(*traction, n, kind);
   const auto given = [](double value) { return value == 0 ? std::nullopt : std::optional(value); };
   if (const auto* shear = load.as<EdgeShear>()) action.shear = given(shear->value);
   const auto* edge = load.as<EdgeMoment>();
@@ -283,25 +305,33 @@ void add_rest(double pressure, const SurfacePlate& plate, const Boundary& b, con
   for (const int s : held) forces(0, plate.body.real + s) += pressure * rest * plate.length(s) / around;
 }
 
-Forces forces_of(const Load& load, std::size_t number, const SurfacePlate& plate, const Boundary& b,
-                 const geometry::Outline& outline) {
+/// Nodal forces of load `number`: of a membrane those of loads in the plane, of a plate that bends those of all others.
+Forces forces_of(const Problem& problem, std::size_t number, const SurfacePlate& plate, const Boundary& b,
+                 const std::vector<geometry::CrackPath>& paths) {
+  const Load& load = problem.loads[number];
+  const auto& outline = problem.outline;
+  const bool in_plane = problem.section.law == PlateLaw::membrane;
+  if (in_plane && load.as<PointForce>())
+    return forces_in_plane(load, b, outline, paths, problem.discretization.horizon_ratio);
+  if (!in_plane && (load.as<EdgeTraction>() || load.as<BodyForce>())) return zero_forces(b.cloud.size());
   const auto* pressure = load.as<Pressure>();
   if (load.as<PointForce>() || load.as<LineLoad>() || load.moves() || (pressure && !pressure->uniform()))
     return nodal_forces(load, plate.oblique ? with_full_cells(b.cloud) : b.cloud, outline);
-  const double everywhere = pressure ? pressure->value : 0;
+  PointValues everywhere(pressure ? pressure->value : 0, 0, 0);
+  if (const auto* body = load.as<BodyForce>()) everywhere = PointValues(0, -body->vector.y(), body->vector.x());
   const auto on_edges = [&](const Point& at, const Point& n) {
     const auto& side = b.sides[side_at(b, at, n)];
     const bool loaded = std::ranges::find(load.edges(), side.name) != load.edges().end();
-    auto condition = edge_condition(side.kind, loaded ? action_of(load, n) : EdgeAction{}, number);
+    auto condition = edge_condition(side.kind, loaded ? action_of(load, n, side.kind) : EdgeAction{}, number);
     if (plate.oblique) return condition;
     condition.held = {false, false, false};  // forces on constrained degrees of freedom count as the supports'
     return condition;
   };
-  const auto right = edge_problem(plate, on_edges, [&](const Point&) { return PointValues(everywhere, 0, 0); }).right;
+  const auto right = edge_problem(plate, on_edges, [&](const Point&) { return everywhere; }).right;
   Forces forces = zero_forces(b.cloud.size());
   const Eigen::Index nodes = right.size() / unknowns_per_point;
   forces.leftCols(nodes) = Eigen::Map<const StateByPoints>(right.data(), unknowns_per_point, nodes);
-  if (plate.oblique) add_rest(everywhere, plate, b, outline, forces);
+  if (plate.oblique) add_rest(everywhere[0], plate, b, outline, forces);
   return forces;
 }
 
@@ -373,9 +403,9 @@ SurfaceLayout surface_layout(const Problem& problem, EdgeMethod method) {
   auto families = without_crossing_bonds(b, whole, in_spacings, problem.discretization.horizon_ratio);
   const auto shapes = bond_shapes(families.vectors(), problem.section, problem.discretization);
   layout.cut = cut_share(whole, families, shapes, b.cloud.plate_points);
-  layout.pieces = pieces(b, tied(families, plate, b.cloud.size()));
+  layout.pieces = pieces(b, tied(families, plate, b.cloud.size()), problem.section.law);
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    layout.loads.push_back({forces_of(problem.loads[i], i, plate, b, problem.outline), problem.loads[i].history});
+    layout.loads.push_back({forces_of(problem, i, plate, b, paths), problem.loads[i].history});
   layout.paths = std::move(paths);
   return {std::move(layout), std::move(plate), std::move(families), std::move(stiffness)};
 }

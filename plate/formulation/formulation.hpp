@@ -124,7 +124,7 @@ public:
   virtual ChosenPreconditioner preconditioner(Preconditioning wanted) const = 0;
   /// Approximation of (K + shift M)^-1 in the search for frequencies, shift > 0; null: use the diagonal.
   virtual std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const;
-  /// The stiffness, with elastic supports. Only of kinds that offer Feature::in_plane, as stretching().
+  /// The stiffness, with elastic supports. Only of kinds that offer Feature::stretching, as stretching().
   virtual PointMatrix stiffness() const;
   /// Large deflections of the plate, of which this is the plate in its plane.
   virtual std::unique_ptr<Stretching> stretching() const;

@@ -24,8 +24,12 @@ double cross(const Point& a, const Point& b) {
 
 }  // namespace
 
-RigidParts::RigidParts(const Boundary& boundary, const geometry::Families& families)
-    : boundary_(boundary), families_(families), sets_(families.points()), line_(families.points(), Point(0, 0)) {
+RigidParts::RigidParts(const Boundary& boundary, const geometry::Families& families, PlateLaw law)
+    : boundary_(boundary),
+      families_(families),
+      law_(law),
+      sets_(families.points()),
+      line_(families.points(), Point(0, 0)) {
   for (std::uint32_t k = 0; k < families.points(); ++k) {
     const auto& constraints = boundary.constraints;
     follows_.push_back(!boundary.is_plate(k) && constraints.held(dof(k, 0)) && constraints.held(dof(k, 1)) &&
@@ -99,7 +103,8 @@ using Condition = std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>;  // pa
 /// Gram matrix of all conditions on the parts' motions: supports, ties, hinges; a chain does not turn about itself.
 class Conditions {
 public:
-  Conditions(const Boundary& boundary, const RigidParts& parts) : boundary_(boundary), parts_(parts) {
+  Conditions(const Boundary& boundary, const RigidParts& parts, PlateLaw law)
+      : boundary_(boundary), parts_(parts), law_(law) {
     const auto size = static_cast<Eigen::Index>(RigidParts::motions * parts.count());
     gram_ = Eigen::MatrixXd::Zero(size, size);
     const auto& ties = boundary.constraints.ties();
@@ -116,7 +121,7 @@ public:
     });
     for (std::uint32_t k = 0; k < boundary.lattice.size(); ++k)
       if (const Point& n = parts.line(k); parts.has(k) && parts.on_line(k))
-        add({{parts.part(k), parts.slope(parts.part(k), {-n.y(), n.x()})}});
+        add({{parts.part(k), n.x() * parts.row(dof(k, 1)) + n.y() * parts.row(dof(k, 2))}});
     for (const auto& part : boundary.elastic_supports.holding()) add_elastic(*part);
   }
   const Eigen::MatrixXd& gram() const { return gram_; }
@@ -158,7 +163,7 @@ private:
       append(condition, dof, factor);
   }
 
-  /// Equal deflection at the bond's middle by both ends, equal slope along it.
+  /// Equal deflection at the bond's middle by both ends, equal slope along it; in the plane the length of the bond.
   void hinge(std::uint32_t k, std::uint32_t j) {
     const Point xi = boundary_.lattice[j] - boundary_.lattice[k];
     Condition slope, deflection;
@@ -169,12 +174,13 @@ private:
         append_any(slope, dof, sign * part / xi.norm());
       }
     }
-    add(deflection);
+    if (law_ == PlateLaw::bending) add(deflection);
     add(slope);
   }
 
   const Boundary& boundary_;
   const RigidParts& parts_;
+  PlateLaw law_;
   Eigen::MatrixXd gram_;
 };
 
@@ -271,8 +277,8 @@ void tie_twists(Boundary& boundary, const geometry::Families& families) {
 }
 
 Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& families, const std::vector<Piece>& pieces,
-                      const Forces& load) {
-  RigidParts parts(boundary, families);
+                      const Forces& load, PlateLaw law) {
+  RigidParts parts(boundary, families, law);
   Mechanisms result;
   result.parts = parts.count();
   find_twists(boundary, parts, load, result);
@@ -291,7 +297,7 @@ Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& famili
   result.searched = parts.count() <= most_parts;
   if (!result.searched) return result;
 
-  const Eigen::MatrixXd gram = Conditions(boundary, parts).gram();
+  const Eigen::MatrixXd gram = Conditions(boundary, parts, law).gram();
   const Eigen::VectorXd scale = gram.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1; });
   const Eigen::MatrixXd motions = free_motions(gram, scale);
   result.motions = static_cast<int>(motions.cols()) + chains;

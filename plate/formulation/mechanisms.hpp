@@ -16,9 +16,9 @@ class RigidParts {
   using Point = geometry::Point;
 
 public:
-  static constexpr int motions = 3;  // of a part: its deflection and two slopes
+  static constexpr int motions = 3;  // of a part: its deflection and two slopes; in the plane u, v and its turn
 
-  RigidParts(const Boundary& boundary, const geometry::Families& families);
+  RigidParts(const Boundary& boundary, const geometry::Families& families, PlateLaw law = PlateLaw::bending);
 
   std::size_t count() const { return first_.size(); }
   /// Number of rigid parts over all ranks. Collective.
@@ -39,9 +39,14 @@ public:
   Eigen::Vector3d slope(std::uint32_t part, const Point& n) const {
     return Eigen::Vector3d(0, n.x(), n.y()) / extent_[part];
   }
-  /// Returns the row of a degree of freedom, deflections in spacings.
+  /// Returns the row of a degree of freedom, deflections in spacings; in the plane those of theta_x = -v, theta_y = u.
   Eigen::Vector3d row(const Dof& dof) const {
     const auto k = dof.point, own = part(k);
+    if (law_ == PlateLaw::membrane) {
+      const Point r = (boundary_.lattice[k] - boundary_.lattice[first_[own]]) / extent_[own];
+      if (is_deflection(dof)) return Eigen::Vector3d::Zero();
+      return dof.component == 1 ? Eigen::Vector3d(0, -1, -r.x()) : Eigen::Vector3d(1, 0, -r.y());
+    }
     if (is_deflection(dof)) return deflection(own, boundary_.lattice[k]);
     return dof.component == 1 ? slope(own, {0, 1}) : slope(own, {-1, 0});
   }
@@ -72,6 +77,7 @@ private:
 
   const Boundary& boundary_;
   const geometry::Families& families_;
+  PlateLaw law_;
   DisjointSets sets_;
   std::vector<char> follows_;  // images: all that they do is what others do
   std::vector<Point> line_;
@@ -89,7 +95,8 @@ struct LoosePart {
 };
 
 /// Mechanisms: motions that no bond resists although every piece is held. A bond ties two points together but for the
-/// rotation about its own line, so that bonds along one line, a ligament one row of points wide, are a hinge.
+/// rotation about its own line, so that bonds along one line, a ligament one row of points wide, are a hinge. In the
+/// plane a bond resists the motion along its line alone.
 struct Mechanisms {
   std::size_t twisting = 0;          // points whose bonds all lie on one line: their turn about it has no stiffness
   std::optional<LoosePart> twisted;  // one of them that the load turns
@@ -101,7 +108,7 @@ struct Mechanisms {
 
 /// `pieces` of the same plate; `load` of all points, as nodal forces.
 Mechanisms mechanisms(const Boundary& boundary, const geometry::Families& families, const std::vector<Piece>& pieces,
-                      const Forces& load);
+                      const Forces& load, PlateLaw law = PlateLaw::bending);
 
 /// Ties the turn of every point about the line of its bonds to that of the next point that has bonds in two directions,
 /// so that it moves with the plate and has no motion of its own. Changes no other point. Of one process.

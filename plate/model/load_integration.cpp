@@ -96,13 +96,13 @@ std::vector<EdgePiece> pieces_of(const geometry::Circle& hole, double spacing) {
 }  // namespace
 
 std::vector<EdgeBorder> edge_borders(const std::string& name, const geometry::Cloud& cloud,
-                                     const geometry::Outline& outline) {
-  const double spacing = cloud.units.spacing, reach = 2 * spacing;
+                                     const geometry::Outline& outline, double reach) {
+  const double spacing = cloud.units.spacing;
   std::vector<EdgeBorder> result;
   const auto near = [&](const auto& away) {
     std::vector<std::uint32_t> points;
     for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
-      if (away(cloud.positions[k]) < reach) points.push_back(k);
+      if (away(cloud.positions[k]) < reach * spacing) points.push_back(k);
     return points;
   };
   for (const auto& edge : geometry::straight_edges(outline))

@@ -59,9 +59,10 @@ struct EdgeBorder {
 };
 
 /// Borders of all edges of a name; eight pieces per spacing, so that each lies in one cell where the edge follows the
-/// lattice. `outline` in the cloud's own units. Throws std::invalid_argument for an edge without points beside it.
+/// lattice. `outline` in the cloud's own units; `reach` of the points near it [spacings]. Throws std::invalid_argument
+/// for an edge without points beside it.
 std::vector<EdgeBorder> edge_borders(const std::string& name, const geometry::Cloud& cloud,
-                                     const geometry::Outline& outline);
+                                     const geometry::Outline& outline, double reach = 2);
 
 /// Returns the one of `points` that is nearest to x.
 std::uint32_t nearest(const std::vector<std::uint32_t>& points, const geometry::Cloud& cloud, const geometry::Point& x);

@@ -87,7 +87,8 @@ enum class Feature {
   running_tips,    // tips that run while the plate moves
   sections,        // that vary or have directions
   stiffeners,      // beams on the plate
-  in_plane,        // loads and displacements in the plane
+  in_plane,        // loads and displacements in the plane, at rest
+  stretching,      // what couples both: large deflections, buckling; motion and frequencies under loads in the plane
   touching_faces   // of cracks: contact
 };
 

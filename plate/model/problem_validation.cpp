@@ -6,6 +6,7 @@
 
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/patch.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/numerical_method.hpp"
 #include "plate/model/problem.hpp"
@@ -29,6 +30,11 @@ constexpr auto in_a_layer = ": boundary = \"layer\" holds it in a layer; choose 
 
 bool needs_axis_parallel(SupportKind kind) {
   return kind == SupportKind::symmetry || kind == SupportKind::simply_supported_hard || is_layer(kind);
+}
+
+/// True of displacements in the plane that edges hold along their normal or tangent alone, where loads act there.
+bool one_way_in_plane(const Support& support, const Problem& problem) {
+  return (support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential) && loaded_in_plane(problem);
 }
 
 void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing, Subject subject,
@@ -209,7 +215,8 @@ void check_supports(const Problem& problem, std::vector<Refusal>& found) {
                          fmt::format("edge \"{}\" is already held by `support {}`", edge, first->second)});
       const bool any_direction = problem.discretization.formulation->offers(Feature::any_direction) ||
                                  problem.discretization.boundary == EdgeMethod::surface_nodes;
-      if (!any_direction && needs_axis_parallel(support.kind) && !axis_parallel(problem.outline, edge))
+      const bool mirrors = needs_axis_parallel(support.kind) || one_way_in_plane(support, problem);
+      if (!any_direction && mirrors && !axis_parallel(problem.outline, edge))
         found.push_back({Subject::support_direction, i,
                          fmt::format("edge \"{}\" is not a straight line parallel to x or y, which this kind "
                                      "of support needs because it mirrors or extends the lattice there{}",

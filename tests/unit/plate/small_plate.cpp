@@ -10,20 +10,23 @@
 namespace small_plate {
 
 plate::HorizonWeights horizon_weights(const geometry::Families& families, const std::vector<plate::BondShape>& shapes,
-                                      const plate::Boundary& boundary, const plate::Discretization& d) {
+                                      const plate::Boundary& boundary, const plate::Discretization& d,
+                                      plate::PlateLaw law) {
+  plate::Section own = section;
+  own.law = law;
   const auto& areas = boundary.cloud.areas;
   const auto kinds = plate::family_kinds(families, areas, boundary.active);
   if (d.surface_correction == plate::SurfaceCorrection::position_aware)
-    return plate::position_aware(families, shapes, areas, boundary.active, kinds, section).weights;
+    return plate::position_aware(families, shapes, areas, boundary.active, kinds, own).weights;
   return plate::weights_of_parameters(families, shapes, areas, kinds,
-                                      plate::horizon_parameters(families, shapes, areas, boundary.active, section, d));
+                                      plate::horizon_parameters(families, shapes, areas, boundary.active, own, d));
 }
 
 Model model(const geometry::Outline& outline, const std::vector<plate::Support>& supports,
-            const plate::Discretization& d, const std::vector<geometry::CrackPath>& cracks) {
+            const plate::Discretization& d, const std::vector<geometry::CrackPath>& cracks, plate::PlateLaw law) {
   auto cloud = geometry::lattice(outline, d.spacing);
   const auto cells = geometry::to_lattice(outline, cloud.units);
-  auto boundary = plate::boundary(std::move(cloud), cells, supports, d);
+  auto boundary = plate::boundary(std::move(cloud), cells, supports, d, {}, {}, law);
   auto families = geometry::families(boundary.cloud, d.horizon(), plate::sees(boundary, cells, d.horizon_ratio));
   if (!cracks.empty())
     families = geometry::without(families, [&](std::uint32_t k, std::uint32_t j) {
@@ -33,7 +36,7 @@ Model model(const geometry::Outline& outline, const std::vector<plate::Support>&
     });
   auto shapes = plate::bond_shapes(families.vectors(), section, d);
   const auto& areas = boundary.cloud.areas;
-  auto weights = horizon_weights(families, shapes, boundary, d);
+  auto weights = horizon_weights(families, shapes, boundary, d, law);
   plate::FamilyOperator op(std::move(families), std::move(shapes), areas, std::move(weights));
   return {outline, cells, d, std::move(boundary), std::move(op)};
 }

@@ -20,11 +20,13 @@ struct Model {
 };
 
 plate::HorizonWeights horizon_weights(const geometry::Families& families, const std::vector<plate::BondShape>& shapes,
-                                      const plate::Boundary& boundary, const plate::Discretization& d);
+                                      const plate::Boundary& boundary, const plate::Discretization& d,
+                                      plate::PlateLaw law = plate::PlateLaw::bending);
 
 /// `cracks` in lattice units; without mirror images of the cracks.
 Model model(const geometry::Outline& outline, const std::vector<plate::Support>& supports,
-            const plate::Discretization& d, const std::vector<geometry::CrackPath>& cracks = {});
+            const plate::Discretization& d, const std::vector<geometry::CrackPath>& cracks = {},
+            plate::PlateLaw law = plate::PlateLaw::bending);
 
 plate::Discretization spaced(double spacing);
 

@@ -1,10 +1,12 @@
-// Plates in their plane: uniform stress to rounding, intensity factors of strips and of oblique cracks, invariance.
+// Plates in their plane: uniform stress, intensity factors of strips and of oblique cracks, invariance; both
+// formulations.
 #include "cases/runs/membrane.hpp"
 
 #include <Eigen/Geometry>
 #include <numbers>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
@@ -102,6 +104,13 @@ double residual(const cases::Case& c, const Eigen::Matrix2d& H) {
 double strip_factor(double share) {
   return std::sqrt(1 / std::cos(std::numbers::pi / 2 * share)) *
          (1 - 0.025 * std::pow(share, 2) + 0.06 * std::pow(share, 4));
+}
+
+/// The plate of bonds, with its edges where cells end.
+cases::Case of_bonds(cases::Case c, double spacing) {
+  c.discretization = {};
+  c.discretization.formulation = &plate::ordinary, c.discretization.spacing = spacing;
+  return c;
 }
 
 /// Central crack of the length 2 a in a plate of the width 1, points graded at its tips.
@@ -219,4 +228,33 @@ TEST_CASE("in the plane: reactions carry the loads, and bending knows nothing of
   CHECK(!membrane_of_case(c));
   c.loads.push_back({BodyForce{{2, -3}}});
   CHECK(static_solution(*plate::discretise(c).plate, c.analysis, {1e-10, 1000, {}}).solution.state == bent);
+}
+
+TEST_CASE("bonds in the plane: uniform stress bends no edge by more than a spacing's share", "[in_plane]") {
+  for (const auto& [N, most] : std::vector<std::pair<std::array<double, 3>, double>>{
+           {{1, 0, 0}, 0.002}, {{0, 1, 0}, 0.002}, {{1, 1, 0}, 0.002}, {{0, 0, 1}, 0.002}}) {
+    CAPTURE(N[0], N[1], N[2]);
+    auto c = of_bonds(pulled(1, 1, 0, 0.025, N), 0.025);
+    c.srif.reset();
+    hold_in_plane(c);
+    const auto result = solved(c);
+    const double nu = c.section.poisson, E = c.section.young * c.section.thickness;
+    const double stored = (N[0] * N[0] + N[1] * N[1] - 2 * nu * N[0] * N[1] + 2 * (1 + nu) * N[2] * N[2]) / (2 * E);
+    CHECK(result.summary.strain_energy == Approx(stored).epsilon(most));
+  }
+}
+
+TEST_CASE("surface nodes in the plane: uniform stress is in equilibrium to rounding", "[in_plane]") {
+  for (const double nu : {0.0, 0.3})
+    for (const double height : {0.9, 0.92}) {  // edges where cells end, and beyond
+      CAPTURE(nu, height);
+      auto c = of_bonds(pulled(1.3, height, 0, 0.05, {0.7, -0.3, 0.45}), 0.05);
+      c.discretization.boundary = EdgeMethod::surface_nodes;
+      c.analysis.method = cases::Analysis::Method::direct;
+      c.section.poisson = nu;
+      const double E = c.section.young * c.section.thickness;
+      Eigen::Matrix2d H;
+      H << 0.7 + nu * 0.3, (1 + nu) * 0.45, (1 + nu) * 0.45, -0.3 - nu * 0.7;
+      CHECK(residual(c, H / E) < 1e-11);
+    }
 }

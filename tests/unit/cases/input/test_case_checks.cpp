@@ -38,6 +38,19 @@ TEST_CASE("supports that mirror need edges parallel to the axes, with bonds") {
   CHECK(problems(with_line(holed, 12, "kind = \"symmetry\"")).empty());  // the Galerkin plate
 }
 
+TEST_CASE(
+    "displacements in the plane along one direction need edges parallel to the axes, with bonds under such loads") {
+  const std::vector<std::string> held{"support[0].in_plane=\"normal\"", "discretization.formulation=ordinary"};
+  auto pulled = held;
+  pulled.push_back("load=[{kind='edge_traction',edges=['edge1'],value=1}]");
+  const std::string slanted = with_line(
+      with_line(plain, 6, "outline = { polygon = [[-1, -1], [1, -1], [1, 1], [-0.9, 1]] }"), 12, "edges = [\"edge3\"]");
+  expect(slanted, ":12", "support[0].edges", "parallel to x or y", pulled);
+  CHECK(problems(slanted, held).empty());
+  pulled.back() = "load=[{kind='edge_traction',edges=['right'],value=1}]";
+  CHECK(problems(plain, pulled).empty());
+}
+
 TEST_CASE("what is missing or cannot be read is told once") {
   const auto told = [](const std::string& text) {
     std::size_t count = 0;

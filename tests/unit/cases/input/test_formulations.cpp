@@ -114,6 +114,24 @@ TEST_CASE("auto: what it takes bonds for is what the Galerkin plate refuses, or 
   }
 }
 
+TEST_CASE("bonds carry loads in the plane at rest, and refuse what couples them with bending") {
+  const std::vector<std::string> pulled{"load=[{kind='edge_traction',edges=['right'],value=1}]",
+                                        "support[0].in_plane=\"fixed\"", "discretization.formulation=ordinary"};
+  CHECK(problems(plain, pulled).empty());
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& key) {
+    auto settings = pulled;
+    settings.insert(settings.end(), more.begin(), more.end());
+    const auto found = problems(plain, settings);
+    CAPTURE(key);
+    CHECK(std::ranges::any_of(found, [&](const auto& problem) {
+      return problem.key == key && problem.what.find("no stretching of deflected plates") != std::string::npos;
+    }));
+  };
+  refused({"analysis.nonlinear=true"}, "analysis.nonlinear");
+  refused({"analysis={kind=\"buckling\"}"}, "analysis.kind");
+  refused({"analysis={kind=\"frequencies\"}", "section.density=1"}, "analysis.kind");
+}
+
 TEST_CASE("auto: by a line of the file as by an override") {
   const auto c = read(with_line(plain, 9, "spacing = 0.05\nsurface_correction = \"position_aware\"")).content;
   CHECK(c.discretization.formulation == &plate::ordinary);

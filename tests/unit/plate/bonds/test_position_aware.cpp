@@ -141,3 +141,30 @@ TEST_CASE("position-aware weights of a plate: every point is counted once") {
   CHECK(found.counts.exact > found.counts.blended);
   CHECK(kinds.example.size() < m.plate.points());
 }
+
+TEST_CASE("position-aware weights in the plane: every constant strain has its energy, and no bond resists w") {
+  for (const double nu : {-0.9, 0.0, 0.3, 0.499})
+    for (const double ratio : {2.015, 3.015, 4.015})
+      for (const double distance : {100.0, 2.5, 1.5, 0.5}) {
+        Section s{1000, nu, 0.7, 5.0 / 6, 1};
+        s.law = PlateLaw::membrane;
+        const auto bonds = cut(full(ratio), Point(0, 1), distance);
+        const auto weights = position_aware(s, bonds);
+        CAPTURE(nu, ratio, distance, int(weights.match));
+        for (const auto& bond : weights.bonds) CHECK(bond.S == 0);
+        if (weights.match != Match::exact) continue;
+        for (const auto& kappa : states)
+          CHECK(energy(weights, bonds, kappa, {1, 2}) == Approx(exact(s, kappa, {1, 2})).epsilon(1e-11));
+      }
+}
+
+TEST_CASE("few directions in the plane: isotropic strain has its energy, and no bond resists w") {
+  Section s{1000, 0.3, 0.7, 5.0 / 6, 1};
+  s.law = PlateLaw::membrane;
+  const std::vector<FamilyBond> bonds{{{1, 0}, 1}, {{-1, 0}, 1}, {{0, 1}, 1}, {{0, -1}, 1}};
+  const auto weights = position_aware(s, bonds);
+  CHECK(weights.match == Match::arbitrary_horizon);
+  for (const auto& bond : weights.bonds) CHECK(bond.S == 0);
+  const Eigen::Matrix2d same = Eigen::Matrix2d::Identity();
+  CHECK(energy(weights, bonds, same, {0, 0}) == Approx(exact(s, same, {0, 0})).epsilon(1e-12));
+}

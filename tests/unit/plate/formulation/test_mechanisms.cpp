@@ -24,6 +24,17 @@ Mechanisms mechanisms_of(const small_plate::Model& m, const Forces& load) {
   return mechanisms(m.boundary, m.plate.families(), pieces(m.boundary, m.plate.families()), load);
 }
 
+/// The same plate in its plane.
+small_plate::Model in_plane(const std::vector<CrackPath>& cracks, const Support& support = clamped_left) {
+  return small_plate::model(geometry::rectangle(0, 0, 1.2, 0.9), {support}, small_plate::spaced(0.1), cracks,
+                            PlateLaw::membrane);
+}
+
+Mechanisms mechanisms_in_plane(const small_plate::Model& m, const Forces& load) {
+  const auto found = pieces(m.boundary, m.plate.families(), PlateLaw::membrane);
+  return mechanisms(m.boundary, m.plate.families(), found, load, PlateLaw::membrane);
+}
+
 Forces pressure(const small_plate::Model& m) {
   Forces load = Forces::Zero(3, m.points());
   load.row(0).head(Eigen::Index(m.boundary.cloud.plate_points)).setOnes();
@@ -189,4 +200,46 @@ TEST_CASE("pieces, hinges and twists together are the zero modes of the stiffnes
   }
   CAPTURE(with_hinge, with_twist);
   CHECK((with_hinge > 1 && with_twist > 5));
+}
+
+TEST_CASE("in the plane a ligament of one row is a hinge that lets the plate turn and slide") {
+  for (const auto& [cracks, motions] :
+       std::vector<std::pair<std::vector<CrackPath>, int>>{{{}, 0},
+                                                           {{{{{2.5, 2.5}, {6.5, 6.5}}, End::tip, End::tip}}, 0},
+                                                           {{{{{6, -1}, {6, 7}}, End::mouth, End::tip}}, 0},
+                                                           {{{{{6, -1}, {6, 8.4}}, End::mouth, End::tip}}, 2}}) {
+    CAPTURE(cracks.size(), motions);
+    const auto m = in_plane(cracks);
+    Forces pull = Forces::Zero(3, m.points());
+    pull(2, 8 * 12 + 11) = 1;  // along the row
+    const auto found = mechanisms_in_plane(m, pull);
+    CHECK(found.motions == motions);
+    CHECK(zero_modes(m) == motions);
+    CHECK_FALSE(found.driven);
+    pull.setZero(), pull(1, 8 * 12 + 11) = 1;  // across it
+    CHECK(mechanisms_in_plane(m, pull).driven.has_value() == (motions > 0));
+  }
+}
+
+TEST_CASE("in the plane points between two cracks move across their row, and follow the plate when tied") {
+  auto m = in_plane({{{{2, 4}, {10, 4}}, End::tip, End::tip}, {{{2, 5}, {10, 5}}, End::tip, End::tip}});
+  Forces along = Forces::Zero(3, m.points()), across = along;
+  along(2, 4 * 12 + 6) = 1, across(1, 4 * 12 + 6) = 1;
+  const auto found = mechanisms_in_plane(m, along);
+  REQUIRE(found.twisting > 0);
+  CHECK(Eigen::Index(found.twisting) == zero_modes(m));
+  CHECK_FALSE(found.twisted);
+  CHECK(mechanisms_in_plane(m, across).twisted);
+  tie_twists(m.boundary, m.plate.families());
+  CHECK(zero_modes(m) == 0);
+}
+
+TEST_CASE("in the plane supports hold what they hold of u and v") {
+  const Support both{SupportKind::clamped, {"left"}, {}}, normal{SupportKind::symmetry, {"left"}, {}},
+      tangential{SupportKind::simply_supported_hard, {"left"}, {}};
+  for (const auto& [support, free] : std::vector<std::pair<Support, int>>{{both, 0}, {normal, 1}, {tangential, 2}}) {
+    const auto m = in_plane({}, support);
+    CHECK(pieces(m.boundary, m.plate.families(), PlateLaw::membrane).front().free_modes == free);
+    CHECK(zero_modes(m) == free);
+  }
 }
