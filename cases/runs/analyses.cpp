@@ -13,11 +13,9 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
-#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -55,10 +53,10 @@ public:
 
 private:
   void solve_static();
+  MembraneResult touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted);
   void solve_by_lanczos();
   void solve_dynamic();
   void solve_frequencies();
-  MembraneResult touch(plate::StaticResult& bending);
   std::function<void(const plate::Instant&)> observer(std::size_t last, post::Progress& progress);
   void save(const plate::MotionCheckpoint& now);
   std::optional<plate::MotionCheckpoint> restored();
@@ -74,40 +72,16 @@ bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulati
          !post::is_zero(plate::total_lift(plate), plate);
 }
 
-/// Adds to a bent plate what the faces of its cracks do to each other; what this does to the plate in its plane.
-MembraneResult SinglePlate::touch(plate::StaticResult& bending) {
-  const auto& membrane = *ready_.membrane;
-  const std::string where = "in the plane";
-  auto in_plane = plate::zero_state(membrane.points());
-  double residual = 0;
-  if (plate::loaded_in_plane(content())) {
-    const auto found =
-        plate::static_solution(membrane, analysis_, {analysis_.tolerance, analysis_.max_iterations, {}}).solution;
-    require_equilibrium(membrane, found, analysis_.tolerance, where);
-    in_plane = found.state, residual = found.residual;
-  }
-  const auto found = plate::touching_faces(plate_, membrane, {bending.solution.state, in_plane});
-  bending.solution.state += found.bending, in_plane += found.membrane;
-  if (bending.strained.cols() > 0) bending.strained += found.bending;
-  const double scale = found.largest_force() * std::sqrt(found.length());
-  std::vector<post::ClosedTip> closed;
-  for (const auto& tip : plate_.tips()) {
-    const auto* next = found.next_to(tip.position);
-    closed.push_back({next && next->force_above > 0, next && next->force_below > 0, scale});
-  }
-  results_.closed(std::move(closed));
+/// Adds to a bent plate what contact of the faces of its cracks changes; the results in the plane.
+MembraneResult SinglePlate::touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted) {
+  auto found = with_contact(plate_, *ready_.membrane, analysis_, wanted, bending);
   auto& summary = this->summary();
-  summary.contact = post::ContactSummary{found.least_opening(), found.largest_force(), found.closed_share()};
+  summary.contact = found.summary;
   summary.scene.push_back(
       {"factors of contact", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  post::Table table{{"x", "y", "length", "opening_above", "opening_below", "pressure_above", "pressure_below"}, {}};
-  for (const auto& at : found.faces)
-    table.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_above, at.opening_below,
-                          at.force_above, at.force_below});
-  outputs_.recorder().table("contact", std::move(table));
-  auto result = membrane_results(membrane, in_plane, membrane.total_load(), {content().srif, ready_.membrane_methods});
-  result.summary.residual = residual;
-  return result;
+  outputs_.recorder().table("contact", std::move(found.faces));
+  results_.closed(std::move(found.closed));
+  return std::move(found.in_plane);
 }
 
 void SinglePlate::solve_static() {
@@ -122,11 +96,12 @@ void SinglePlate::solve_static() {
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
   auto result = ready_.solution ? *ready_.solution : plate::static_solution(plate_, analysis_, options);
+  const MembraneFactorsWanted in_plane_wanted{content().srif, ready_.membrane_methods};
   std::optional<MembraneResult> in_plane;
   if (content().faces_touch())
-    in_plane = touch(result);
+    in_plane = touch(result, in_plane_wanted);
   else if (ready_.membrane)
-    in_plane = membrane_at_rest(*ready_.membrane, analysis_, {content().srif, ready_.membrane_methods});
+    in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted);
   const auto& solution = result.solution;
   progress.done();
   stopwatch().lap("solve");

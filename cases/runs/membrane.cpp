@@ -5,8 +5,10 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
@@ -104,6 +106,38 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   std::vector<std::string> coarse;
   look_for_coarseness(summary.strain_energy, summary.external_work, membrane, coarse);
   for (const auto& line : coarse) result.warnings.push_back(of_plane(line));
+  return result;
+}
+
+ContactResult with_contact(const plate::Formulation& plate, const plate::Formulation& membrane,
+                           const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
+                           plate::StaticResult& bending) {
+  auto in_plane = plate::zero_state(membrane.points());
+  double residual = 0;
+  if (plate::loaded_in_plane(membrane.problem())) {
+    const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
+    require_equilibrium(membrane, found.solution, analysis.tolerance, "in the plane");
+    in_plane = found.solution.state, residual = found.solution.residual;
+  }
+  const auto found = plate::touching_faces(plate, membrane, {bending.solution.state, in_plane});
+  bending.solution.state += found.bending, in_plane += found.membrane;
+  if (bending.strained.cols() > 0) bending.strained += found.bending;
+
+  ContactResult result{
+      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
+      .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
+      .faces = {{"x", "y", "length", "opening_above", "opening_below", "pressure_above", "pressure_below"}, {}},
+      .closed = {},
+      .factor_bytes = found.factor_bytes};
+  result.in_plane.summary.residual = residual;
+  for (const auto& at : found.faces)
+    result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_above, at.opening_below,
+                                 at.force_above, at.force_below});
+  const double scale = found.largest_force() * std::sqrt(found.length());
+  for (const auto& tip : plate.tips()) {
+    const auto* next = found.next_to(tip.position);
+    result.closed.push_back({next && next->force_above > 0, next && next->force_below > 0, scale});
+  }
   return result;
 }
 

@@ -10,6 +10,7 @@ namespace plate {
 class Formulation;
 struct Stretch;
 struct Analysis;
+struct StaticResult;
 struct StaticSolution;
 }  // namespace plate
 
@@ -43,6 +44,22 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
                                 const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
+
+/// Equilibrium of a plate in its plane with contact of the faces of its cracks.
+struct ContactResult {
+  MembraneResult in_plane;
+  post::ContactSummary summary;
+  post::Table faces;                    // contact.csv
+  std::vector<post::ClosedTip> closed;  // of every tip
+  std::size_t factor_bytes = 0;
+};
+
+/// Finds where faces of cracks touch, solves for the plate in its plane, and adds to `bending`, a state without
+/// contact, what contact changes.
+/// @throws plate::NumericalError  as membrane_at_rest() and plate::touching_faces()
+ContactResult with_contact(const plate::Formulation& plate, const plate::Formulation& membrane,
+                           const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
+                           plate::StaticResult& bending);
 
 /// Checks a solution of a plate in its plane.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite
