@@ -114,7 +114,7 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
                            plate::StaticResult& bending) {
   auto in_plane = plate::zero_state(membrane.points());
   double residual = 0;
-  if (plate::loaded_in_plane(membrane.problem())) {
+  if (plate::loaded_in_plane(plate.problem())) {
     const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
     require_equilibrium(membrane, found.solution, analysis.tolerance, "in the plane");
     in_plane = found.solution.state, residual = found.solution.residual;
