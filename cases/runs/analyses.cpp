@@ -105,6 +105,8 @@ void SinglePlate::solve_static() {
   const auto result = ready_.solution ? *ready_.solution : plate::static_solution(plate_, analysis_, options);
   const auto& solution = result.solution;
   progress.done();
+  summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get(),
+                                                ready_.membrane ? ready_.membrane->total_load() : plate::no_state());
   stopwatch().lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;

@@ -110,6 +110,13 @@ private:
   std::vector<CombinedPart> parts_of(const post::LoadCaseSummary& combined, bool in_plane) const;
   std::vector<std::string> warnings() const;
 
+  /// The state with the largest deflection, and its load in the plane.
+  struct Deepest {
+    double deflection = 0;
+    plate::State state;
+    plate::Forces in_plane = plate::no_state();
+  };
+  Deepest deepest_;
   std::vector<post::LoadCaseSummary> found_;
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
@@ -123,6 +130,9 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const auto when = fmt::format("in {}", one.name);
   const auto number = double(found_.size() + 1);
   post::require_finite(state, when, plate_);
+  if (const double w = state.row(0).cwiseAbs().maxCoeff();
+      w > deepest_.deflection && plate_.offers(plate::Feature::in_plane))
+    deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
   std::optional<MembraneResult> in_plane;
   if (stretched) in_plane = look_in_plane(one, *stretched), one.membrane = in_plane->summary;
   const plate::PrescribedDisplacements prescribed(plate_, load, lift);
@@ -281,6 +291,9 @@ void LoadCases::solve() {
     combine(one, cases);
     stopwatch().lap("srif");
   }
+  if (deepest_.deflection > 0)
+    summary.linear_theory_off = linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane);
+  stopwatch().lap("solve");
   progress.done();
 }
 

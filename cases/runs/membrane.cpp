@@ -5,9 +5,12 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
@@ -86,6 +89,25 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
     post::require_motion(membrane, post::forces_of(membrane), solution.state, summary.external_work, result.warnings);
   require_balance(summary, where);
   return result;
+}
+
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane, const plate::Forces& in_plane) {
+  constexpr double small = 0.1, large = 10;  // thicknesses
+  constexpr std::size_t many = 100000;       // points
+  if (!plate.offers(plate::Feature::in_plane) || plate.distributed() || plate.points() > many) return std::nullopt;
+  if (plate.problem().unilateral() || plate::has_prescribed_displacements(plate)) return std::nullopt;
+  const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
+  if (!(share > small && share < large)) return std::nullopt;
+  try {
+    const auto made = membrane ? nullptr : plate.middle_plane();
+    return plate::linear_theory_off(plate, membrane ? *membrane : *made, state,
+                                    in_plane.cols() > 0 ? in_plane : plate::zero_like(state));
+  } catch (const plate::Refused&) {
+    return std::nullopt;
+  } catch (const plate::NumericalError&) {  // parts that move freely in the plane
+    return std::nullopt;
+  }
 }
 
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,

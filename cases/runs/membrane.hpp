@@ -51,6 +51,14 @@ void require_equilibrium(const plate::Formulation& membrane, const plate::Static
 /// @throws plate::NumericalError  it is not the work of the loads
 void require_balance(const post::MembraneSummary& summary, const std::string& where);
 
+/// Estimates by what share linear theory overstates the deflections of a plate at rest (plate::linear_theory_off).
+/// `membrane`, `in_plane`: its plane and the load there, where there is one; null and without columns otherwise. Absent
+/// where deflections are small or beyond any estimate, for more points than a factor suits, and for plates that have no
+/// large deflections.
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane = nullptr,
+                                        const plate::Forces& in_plane = plate::no_state());
+
 /// Adds the fields of a plate in its plane to a frame of its bending; the von Mises stress becomes that of the worse
 /// face under both.
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,

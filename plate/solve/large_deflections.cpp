@@ -106,10 +106,12 @@ std::vector<Dof> pins_of(const Formulation& membrane) {
   return result;
 }
 
-Forces diagonal_of(const PointMatrix& matrix) {
+/// The diagonal of a folded matrix, zero at held degrees of freedom.
+Forces free_diagonal(const PointMatrix& matrix, const Constraints& constraints) {
   Forces result = zero_forces(matrix.points());
   for (std::size_t k = 0; k < matrix.points(); ++k)
     result.col(Eigen::Index(k)) = matrix.block[matrix.first[k]].diagonal();
+  for (const auto& held : constraints.held()) at_dof(result, held) = 0;
   return result;
 }
 
@@ -149,8 +151,65 @@ std::unique_ptr<Stretching> Formulation::stretching() const {
   throw std::logic_error("large deflections were asked of a formulation that does not offer them");
 }
 
+std::unique_ptr<Formulation> Formulation::middle_plane() const {
+  throw std::logic_error("the plane was asked of a formulation that does not offer it");
+}
+
 bool LargeDeflections::snapped() const {
   return std::ranges::any_of(steps, &LoadStep::snapped);
+}
+
+MiddlePlane::MiddlePlane(const Formulation& membrane, const Forces& bending) : stretching_(membrane.stretching()) {
+  add(membrane.constraints(), 0, constraints_);
+  for (const auto& pin : pins_of(membrane)) constraints_.fix(pin);
+  constraints_.resolve();
+  const auto stiffness = folded(membrane.stiffness(), constraints_);
+  diagonal_ = free_diagonal(stiffness, constraints_);
+  order_ = elimination_order(stiffness, bending.cols() > 0 ? Forces(diagonal_ + bending) : diagonal_);
+  unknowns_ = unknowns(diagonal_, order_);
+  factor_ = factorised(of_unknowns(stiffness, unknowns_));
+}
+
+/// They are linear in the load and in the squares of the slopes.
+State MiddlePlane::displacements(const State& bending, const Forces& load) const {
+  Forces on_bending, force;
+  stretching_->internal_force(bending, zero_like(bending), on_bending, force);
+  force += load;
+  constraints_.fold(force);
+  State result = solution(*factor_, unknowns_, force);
+  constraints_.impose(result);
+  return result;
+}
+
+namespace {
+
+/// The positive root of a s + b s^3 = 1, b >= 0; infinite where there is none.
+double scale_of_least_energy(double a, double b) {
+  constexpr int most = 100;
+  constexpr double close = 1e-12;
+  if (b <= 0) return a > 0 ? 1 / a : INFINITY;
+  const double by_stretching = std::cbrt(1 / b);
+  // the left side is convex and above 1 here, so that Newton's steps go down to the root
+  double s = a > 0 ? std::min(1 / a, by_stretching) : std::sqrt(-a / b) + by_stretching;
+  for (int i = 0; i < most; ++i) {
+    const double step = (a * s + b * s * s * s - 1) / (a + 3 * b * s * s);
+    s -= step;
+    if (std::abs(step) <= close * s) break;
+  }
+  return s;
+}
+
+}  // namespace
+
+double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
+                         const Forces& in_plane) {
+  const double bent = plate.strain_energy(bending);
+  if (!(bent > 0)) return 0;
+  const MiddlePlane plane(membrane);
+  const State displacements = plane.displacements(bending, zero_like(bending));
+  const double stretched = plane.stretching().energies(bending, displacements).sum();
+  const double by_load = -in_plane.cwiseProduct(displacements).sum();
+  return 1 / scale_of_least_energy(1 + by_load / bent, 2 * stretched / bent) - 1;
 }
 
 /// A state with its membrane in equilibrium, under a share of the loads.
@@ -165,33 +224,19 @@ struct StretchedPlate::Now {
 
 StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& membrane)
     : plate_(plate),
-      membrane_(membrane),
-      stretching_(membrane.stretching()),
       bending_(plate.stiffness()),
+      diagonal_(free_diagonal(folded(bending_, plate.constraints()), plate.constraints())),
+      plane_(membrane, diagonal_),
       load_(plate.total_load()),
-      load_in_plane_(membrane.total_load()) {
+      load_in_plane_(membrane.total_load()),
+      weight_(diagonal_.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; })) {
   const auto points = std::uint32_t(plate.points());
-  add(membrane.constraints(), 0, of_plane_);
-  add(plate.constraints(), 0, of_both_), add(membrane.constraints(), points, of_both_);
-  for (const auto& pin : pins_of(membrane)) {
-    of_plane_.fix(pin);
-    of_both_.fix(dof(points + pin.point, pin.component));
-  }
-  of_plane_.resolve(), of_both_.resolve();
-
-  const auto in_plane = folded(membrane.stiffness(), of_plane_);
-  const auto bent = folded(bending_, plate.constraints());
-  Forces diagonal_in_plane = diagonal_of(in_plane), diagonal = diagonal_of(bent);
-  for (const auto& held : of_plane_.held()) at_dof(diagonal_in_plane, held) = 0;
-  for (const auto& held : plate.constraints().held()) at_dof(diagonal, held) = 0;
-  weight_ = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
+  add(plate.constraints(), 0, of_both_), add(plane_.constraints(), points, of_both_);
+  of_both_.resolve();
   // the unknowns of a point and of the same point in its plane stand together
-  const auto order = elimination_order(in_plane, diagonal_in_plane + diagonal);
   std::vector<int> both;
-  for (const int k : order) both.push_back(k), both.push_back(int(points) + k);
-  unknowns_in_plane_ = unknowns(diagonal_in_plane, order);
-  unknowns_ = unknowns(behind(diagonal, diagonal_in_plane), both);
-  plane_ = factorised(of_unknowns(in_plane, unknowns_in_plane_));
+  for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
+  unknowns_ = unknowns(behind(diagonal_, plane_.diagonal()), both);
 }
 
 StretchedPlate::~StretchedPlate() = default;
@@ -200,26 +245,15 @@ double StretchedPlate::norm(const Forces& forces) const {
   return std::sqrt((forces.array().square() * weight_.array()).sum());
 }
 
-/// The plate in its plane in equilibrium with given deflections: linear in its displacements.
-State StretchedPlate::in_plane(const State& bending, double factor) const {
-  Forces on_bending, force;
-  stretching_->internal_force(bending, zero_like(bending), on_bending, force);
-  force += factor * load_in_plane_;
-  of_plane_.fold(force);
-  State result = solution(*plane_, unknowns_in_plane_, force);
-  of_plane_.impose(result);
-  return result;
-}
-
 StretchedPlate::Now StretchedPlate::at(const State& bending, double factor) const {
-  Now now{bending, in_plane(bending, factor), {}, {}};
+  Now now{bending, plane_.displacements(bending, factor * load_in_plane_), {}, {}};
   Forces on_membrane;
-  stretching_->internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
+  plane_.stretching().internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
   plate_.internal_force(now.bending, now.left);
   now.left += now.on_bending + factor * load_;
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
-  now.membrane_energy = stretching_->energies(now.bending, now.membrane).sum();
+  now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
   now.potential = -factor * (load_.cwiseProduct(now.bending).sum() + load_in_plane_.cwiseProduct(now.membrane).sum());
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
@@ -230,7 +264,7 @@ StretchedPlate::Now StretchedPlate::at(const State& bending, double factor) cons
 /// The stiffness there, with the least share of its diagonal that makes it positive.
 std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
-  auto matrix = stretching_->stiffness(now.bending, now.membrane);
+  auto matrix = plane_.stretching().stiffness(now.bending, now.membrane);
   add(bending_, matrix);
   const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
@@ -359,8 +393,8 @@ LargeDeflections StretchedPlate::equilibrium(const LargeDeflectionOptions& optio
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
   result.factor_bytes = path.bytes;
-  result.stretch = stretching_->stretch(now.bending);
-  result.membrane_forces = stretching_->membrane_forces(now.bending, now.membrane);
+  result.stretch = plane_.stretching().stretch(now.bending);
+  result.membrane_forces = plane_.stretching().membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);
   result.on_bending = std::move(now.on_bending);
   return result;

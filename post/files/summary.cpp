@@ -321,6 +321,7 @@ std::string to_json(const Summary& summary) {
   for (const auto& one : summary.envelope) json["envelope"].push_back(json_of(one));
   if (summary.deflection_over_thickness)
     json["sanity"] = {{"deflection_over_thickness", *summary.deflection_over_thickness}};
+  if (summary.linear_theory_off) json["sanity"]["linear_theory_off"] = *summary.linear_theory_off;
   if (summary.touching) json["touching"] = *summary.touching;
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);

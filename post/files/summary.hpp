@@ -197,6 +197,7 @@ struct Summary {
   std::vector<LoadCaseSummary> load_cases;             // then combinations
   std::vector<EnvelopeEntry> envelope;                 // of them
   std::optional<double> deflection_over_thickness;     // the largest of the run
+  std::optional<double> linear_theory_off;             // in statics: estimated share by which it is too large
   std::optional<double> touching;                      // share of the unilateral foundations which is pressed
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it

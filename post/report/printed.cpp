@@ -341,11 +341,14 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   text += printed_responses(summary.response, si);
   if (!summary.resonances.empty()) fmt::format_to(out, "resonances: {:.6g}\n", fmt::join(summary.resonances, ", "));
   if (summary.growth) growth(out, *summary.growth);
-  if (const auto share = summary.deflection_over_thickness;
-      share && !si && summary.load_steps.rows.empty() && *share > small_deflection)
+  if (summary.linear_theory_off) {
+    if (const auto said = error_of_linear_theory(summary); !si && !said.empty()) text += said + '\n';
+  } else if (const auto share = summary.deflection_over_thickness;
+             share && !si && summary.load_steps.rows.empty() && *share > small_deflection) {
     fmt::format_to(
         out, "largest deflection is {:.2g} x thickness; linear plate theory is reliable up to about {:g} x thickness\n",
         *share, small_deflection);
+  }
   for (const auto& warning : summary.warnings) fmt::format_to(out, "warning: {}\n", warning);
   return text + results_in(folder);
 }

@@ -33,6 +33,13 @@ std::vector<std::string> names(const ordered_json& json) {
 
 }  // namespace
 
+TEST_CASE("summary.json: an estimate of the error of linear theory stands beside the deflection") {
+  post::Summary summary;
+  summary.deflection_over_thickness = 2, summary.linear_theory_off = 0.5;
+  CHECK(ordered_json::parse(post::to_json(summary))["sanity"] ==
+        ordered_json{{"deflection_over_thickness", 2}, {"linear_theory_off", 0.5}});
+}
+
 TEST_CASE("summary.json has the fields of its contract in their order") {
   post::Summary summary;
   summary.title = "plate \xC3\xA9 \xFF";  // an e with an accent, and a byte that is not UTF-8
