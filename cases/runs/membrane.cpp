@@ -62,6 +62,53 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   return result;
 }
 
+MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
+                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
+                                const std::string& where) {
+  auto result =
+      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, wanted, where, &found.stretch);
+  result.forces.moments = result.fields.force = found.membrane_forces;
+  result.summary.strain_energy = found.membrane_energy;
+  result.summary.external_work = found.external_work;
+  result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
+  return result;
+}
+
+post::Table load_steps(const std::vector<plate::LoadStep>& steps) {
+  post::Table table{{"factor", "iterations", "residual", "largest_deflection", "strain_energy", "stable", "snapped"},
+                    {}};
+  for (const auto& step : steps)
+    table.rows.push_back({step.factor, double(step.iterations), step.residual, step.largest_deflection,
+                          step.strain_energy, step.stable ? "yes" : "no", step.snapped ? "yes" : "no"});
+  return table;
+}
+
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found) {
+  constexpr double moderate = 0.3, coarse = 0.05;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < found.steps.size(); ++i) {
+    const auto& step = found.steps[i];
+    const double before = i == 0 ? 0 : found.steps[i - 1].factor;
+    if (step.snapped)
+      lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: see load_steps.csv", before,
+                                  step.factor));
+  }
+  if (!found.steps.empty() && !found.steps.back().stable)
+    lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
+  const double strain = found.bending_energy + found.membrane_energy,
+               apart = std::abs(found.external_work / strain - 1);
+  if (strain > 0 && !found.snapped() && apart > coarse)
+    lines.push_back(
+        fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
+                    "that grows with the loads; see load_steps.csv",
+                    100 * apart));
+  const double turn = found.bending.bottomRows(2).colwise().norm().maxCoeff();
+  if (turn > moderate)
+    lines.push_back(fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; reduce the loads",
+                                turn, moderate));
+  return lines;
+}
+
 void require_equilibrium(const plate::Formulation& membrane, const plate::StaticSolution& solution, double tolerance,
                          const std::string& where) {
   post::require_finite(solution.state, "in equilibrium " + where, membrane);

@@ -8,6 +8,8 @@
 
 namespace plate {
 class Formulation;
+struct LargeDeflections;
+struct LoadStep;
 struct Stretch;
 struct Analysis;
 struct StaticSolution;
@@ -41,6 +43,20 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
                                 const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
+
+/// Results in the plane of an equilibrium with large deflections, with the strains that the deflections add.
+/// `in_plane`: the load there; `where`: in messages.
+/// @throws plate::NumericalError  a number is not finite
+MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
+                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
+                                const std::string& where);
+
+/// The rows of load_steps.csv.
+post::Table load_steps(const std::vector<plate::LoadStep>& steps);
+
+/// Warnings about an equilibrium with large deflections that was not reached as loads grow, is not stable, or is beyond
+/// the theory.
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found);
 
 /// Checks a solution of a plate in its plane.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite

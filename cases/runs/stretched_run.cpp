@@ -15,16 +15,6 @@
 namespace cases {
 namespace {
 
-/// Table of the steps of the load.
-post::Table table_of(const std::vector<plate::LoadStep>& steps) {
-  post::Table table{{"factor", "iterations", "residual", "largest_deflection", "strain_energy", "stable", "snapped"},
-                    {}};
-  for (const auto& step : steps)
-    table.rows.push_back({step.factor, double(step.iterations), step.residual, step.largest_deflection,
-                          step.strain_energy, step.stable ? "yes" : "no", step.snapped ? "yes" : "no"});
-  return table;
-}
-
 /// Equilibrium of a plate whose middle plane stretches.
 class LargeDeflectionRun : public PlateAnalysis {
 public:
@@ -35,49 +25,8 @@ public:
   void finish() override;
 
 private:
-  MembraneResult in_plane(const plate::LargeDeflections& found) const;
-  void warn(const plate::LargeDeflections& found);
-
   Results results_;
 };
-
-/// Results in the plane, with the strains that the deflections add.
-MembraneResult LargeDeflectionRun::in_plane(const plate::LargeDeflections& found) const {
-  const auto& membrane = *ready_.membrane;
-  auto result = membrane_results(membrane, found.membrane, membrane.total_load() + found.stretch.forces,
-                                 {content().srif, ready_.membrane_methods}, "in the plane", &found.stretch);
-  result.forces.moments = result.fields.force = found.membrane_forces;
-  result.summary.strain_energy = found.membrane_energy;
-  result.summary.external_work = found.external_work;
-  result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
-  return result;
-}
-
-void LargeDeflectionRun::warn(const plate::LargeDeflections& found) {
-  constexpr double moderate = 0.3, coarse = 0.05;
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < found.steps.size(); ++i) {
-    const auto& step = found.steps[i];
-    const double before = i == 0 ? 0 : found.steps[i - 1].factor;
-    if (step.snapped)
-      lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: see load_steps.csv", before,
-                                  step.factor));
-  }
-  if (!found.steps.empty() && !found.steps.back().stable)
-    lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
-  const double strain = found.bending_energy + found.membrane_energy,
-               apart = std::abs(found.external_work / strain - 1);
-  if (strain > 0 && !found.snapped() && apart > coarse)
-    lines.push_back(
-        fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
-                    "that grows with the loads; see load_steps.csv",
-                    100 * apart));
-  const double turn = found.bending.bottomRows(2).colwise().norm().maxCoeff();
-  if (turn > moderate)
-    lines.push_back(fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; reduce the loads",
-                                turn, moderate));
-  outputs_.warn(std::move(lines));
-}
 
 void LargeDeflectionRun::solve() {
   const auto& analysis = content().analysis;
@@ -88,19 +37,22 @@ void LargeDeflectionRun::solve() {
         progress.update(factor,
                         fmt::format("load factor {:.3g}, iteration {}, residual {:.1e}", factor, iteration, residual));
       }};
-  const auto found = plate::StretchedPlate(plate_, *ready_.membrane).equilibrium(options);
+  const auto& membrane = *ready_.membrane;
+  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load()};
+  const auto found = plate::StretchedPlate(plate_, membrane).equilibrium(loads, options);
   progress.done();
   stopwatch().lap("solve");
 
   auto& about = summary.analysis;
   about.method = "newton", about.iterations = found.iterations, about.tolerance = analysis.tolerance;
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
-  summary.load_steps = table_of(found.steps);
+  summary.load_steps = load_steps(found.steps);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
   const double strain = found.bending_energy + found.membrane_energy;
   plate::Instant end{found.iterations, 0, found.bending, {}, 0, found.external_work, strain, 0, 0};
   end.stretched = &found.on_bending;
-  results_.in_plane(*ready_.membrane, in_plane(found));
+  results_.in_plane(membrane, membrane_results(membrane, found, loads.in_plane,
+                                               {content().srif, ready_.membrane_methods}, "in the plane"));
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);
@@ -110,7 +62,7 @@ void LargeDeflectionRun::solve() {
                     {"external_work", found.external_work}};
   if (strain == 0)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
-  warn(found);
+  outputs_.warn(warnings_about(found));
   if (!found.converged) throw plate::NumericalError("large deflections: " + found.stop_reason);
 }
 

@@ -133,6 +133,11 @@ State behind(const State& first, const State& second) {
   return result;
 }
 
+/// Work of loads that stay on the displacements of the plate and of its plane.
+double work_of(const PlateLoads& loads, const State& bending, const State& membrane) {
+  return loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
+}
+
 /// The solution of a factor for folded forces.
 State solution(const Factor& factor, const Unknowns& unknowns, const Forces& force) {
   const Eigen::MatrixXd found = factor.solve(gathered(unknowns, force));
@@ -227,8 +232,6 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
       bending_(plate.stiffness()),
       diagonal_(free_diagonal(folded(bending_, plate.constraints()), plate.constraints())),
       plane_(membrane, diagonal_),
-      load_(plate.total_load()),
-      load_in_plane_(membrane.total_load()),
       weight_(diagonal_.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; })) {
   const auto points = std::uint32_t(plate.points());
   add(plate.constraints(), 0, of_both_), add(plane_.constraints(), points, of_both_);
@@ -245,16 +248,16 @@ double StretchedPlate::norm(const Forces& forces) const {
   return std::sqrt((forces.array().square() * weight_.array()).sum());
 }
 
-StretchedPlate::Now StretchedPlate::at(const State& bending, double factor) const {
-  Now now{bending, plane_.displacements(bending, factor * load_in_plane_), {}, {}};
+StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& bending, double factor) const {
+  Now now{bending, plane_.displacements(bending, factor * loads.in_plane), {}, {}};
   Forces on_membrane;
   plane_.stretching().internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
   plate_.internal_force(now.bending, now.left);
-  now.left += now.on_bending + factor * load_;
+  now.left += now.on_bending + factor * loads.across;
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
   now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
-  now.potential = -factor * (load_.cwiseProduct(now.bending).sum() + load_in_plane_.cwiseProduct(now.membrane).sum());
+  now.potential = -factor * work_of(loads, now.bending, now.membrane);
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
     throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
@@ -281,12 +284,13 @@ State StretchedPlate::direction(const Factor& tangent, const Forces& force) cons
   return result;
 }
 
-/// Newton's iteration at one load factor, with steps that lower the energy.
-bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptions& options, LoadStep& step) const {
+/// Newton's iteration at the load factor of a step, each way as far as it lowers the energy.
+bool StretchedPlate::iterate(Now& now, const PlateLoads& loads, const LargeDeflectionOptions& options,
+                             LoadStep& step) const {
   constexpr std::size_t most = 30;
   constexpr int halvings = 10;
   constexpr double rounding = 1e-13;
-  Forces load = factor * load_;
+  Forces load = step.factor * loads.across;
   plate_.constraints().fold(load);
   for (step.iterations = 0;; ++step.iterations) {
     stop_if_asked("large deflections", plate_.constraints());
@@ -294,7 +298,7 @@ bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptio
     plate_.constraints().fold(stretched);
     const double scale = std::max(norm(load), norm(stretched));
     step.residual = scale > 0 ? now.residual / scale : 0;
-    if (options.progress) options.progress(factor, step.iterations, step.residual);
+    if (options.progress) options.progress(step.factor, step.iterations, step.residual);
     if (step.residual <= options.tolerance) return true;
     if (step.iterations == most) return false;
     double shift = 0;
@@ -303,7 +307,7 @@ bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptio
     const State way = direction(*inverse, behind(now.left, zero_like(now.left)));
     double share = 1;
     for (int n = 0;; ++n, share /= 2) {
-      Now next = at(now.bending + share * way, factor);
+      Now next = at(loads, now.bending + share * way, step.factor);
       const double room = rounding * (now.bending_energy + now.membrane_energy + std::abs(now.potential));
       if (next.energy() <= now.energy() + room || next.residual < now.residual / 2) {
         now = std::move(next);
@@ -316,6 +320,7 @@ bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptio
 
 /// The plate as its loads grow.
 struct StretchedPlate::Path {
+  const PlateLoads* loads;
   Now now;
   double factor = 0, step = 1;  // of the loads
   State rate;                   // of the deflections by the factor
@@ -325,28 +330,25 @@ struct StretchedPlate::Path {
   bool stable = true;
 };
 
-double StretchedPlate::by_loads(const State& bending, const State& membrane) const {
-  return load_.cwiseProduct(bending).sum() + load_in_plane_.cwiseProduct(membrane).sum();
-}
-
 /// Finds how the plate goes on from where it is.
 void StretchedPlate::look_ahead(Path& path) const {
   double shift = 0;
   const auto inverse = tangent(path.now, shift);
-  Forces all = behind(load_, load_in_plane_);
+  const auto& [across, in_plane] = *path.loads;
+  Forces all = behind(across, in_plane);
   of_both_.fold(all);
   State rate = solution(*inverse, unknowns_, all);
   of_both_.impose(rate);
-  path.rate = rate.leftCols(load_.cols());
-  path.along = by_loads(path.rate, rate.rightCols(load_.cols()));
+  path.rate = rate.leftCols(across.cols());
+  path.along = work_of(*path.loads, path.rate, rate.rightCols(across.cols()));
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
 /// Work of the loads from one equilibrium to the next, by Hermite's rule over the displacement of the loads: exact
 /// where they grow with its third power, as with the stretching of a plate.
 double StretchedPlate::work_between(const Path& before, const Path& after) const {
-  const double moved =
-      by_loads(after.now.bending, after.now.membrane) - by_loads(before.now.bending, before.now.membrane);
+  const double moved = work_of(*after.loads, after.now.bending, after.now.membrane) -
+                       work_of(*after.loads, before.now.bending, before.now.membrane);
   const double mean = moved * (before.factor + after.factor) / 2;
   if (!(before.along > 0) || !(after.along > 0)) return mean;
   return mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
@@ -360,8 +362,8 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     LoadStep step;
     step.factor = path.factor + path.step > 1 - least ? 1 : path.factor + path.step;
     const double length = step.factor - path.factor;
-    Now next = at(path.now.bending + length * path.rate, step.factor);
-    const bool found = iterate(next, step.factor, options, step);
+    Now next = at(*path.loads, path.now.bending + length * path.rate, step.factor);
+    const bool found = iterate(next, *path.loads, options, step);
     result.iterations += step.iterations;
     if (!found) continue;
     step.largest_deflection = next.bending.row(0).cwiseAbs().maxCoeff();
@@ -377,10 +379,10 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
   }
 }
 
-LargeDeflections StretchedPlate::equilibrium(const LargeDeflectionOptions& options) const {
+LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const {
   constexpr double far = 2;  // thicknesses, of the first step by linear theory
   LargeDeflections result;
-  Path path{at(zero_like(load_), 0), 0, 1, {}, 0, 0, 0, true};
+  Path path{.loads = &loads, .now = at(loads, zero_like(loads.across), 0), .rate = {}};
   look_ahead(path);
   const double linear = path.rate.row(0).cwiseAbs().maxCoeff();
   if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);

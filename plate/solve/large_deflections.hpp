@@ -80,6 +80,11 @@ private:
 double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
                          const Forces& in_plane);
 
+/// Nodal forces on a plate and on the same points in their plane.
+struct PlateLoads {
+  Forces across, in_plane;
+};
+
 /// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains.
 /// States of both stand behind each other: the plate's points, then the same points in their plane.
 class StretchedPlate {
@@ -88,19 +93,18 @@ public:
   StretchedPlate(const Formulation& plate, const Formulation& membrane);
   ~StretchedPlate();
 
-  /// Equilibrium under all loads, which grow together in steps that find their own length.
+  /// Equilibrium under loads that grow together in steps that find their own length.
   /// @throws NumericalError  where a number is not finite
-  LargeDeflections equilibrium(const LargeDeflectionOptions& options) const;
+  LargeDeflections equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const;
 
 private:
   struct Now;
   struct Path;
-  Now at(const State& bending, double factor) const;
+  Now at(const PlateLoads& loads, const State& bending, double factor) const;
   std::unique_ptr<Factor> tangent(const Now& now, double& shift) const;
   State direction(const Factor& tangent, const Forces& force) const;
-  bool iterate(Now& now, double factor, const LargeDeflectionOptions& options, LoadStep& step) const;
+  bool iterate(Now& now, const PlateLoads& loads, const LargeDeflectionOptions& options, LoadStep& step) const;
   double norm(const Forces& forces) const;
-  double by_loads(const State& bending, const State& membrane) const;
   void look_ahead(Path& path) const;
   double work_between(const Path& before, const Path& after) const;
   bool advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
@@ -110,7 +114,7 @@ private:
   Forces diagonal_;  // of it, folded; zero at held degrees of freedom
   MiddlePlane plane_;
   Constraints of_both_;
-  Forces load_, load_in_plane_, weight_;
+  Forces weight_;
   Unknowns unknowns_;
 };
 

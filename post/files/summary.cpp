@@ -253,6 +253,7 @@ Json json_of(const AccuracySummary& accuracy) {
 Json json_of(const LoadCaseSummary& one) {
   Json json{{"name", one.name}};
   if (!one.of.empty()) json["of"] = json_of(one.of);
+  if (!one.of.empty() && one.large_deflections) json["superposed"] = false;
   add(json, "iterations", one.iterations);
   add(json, "residual", one.residual);
   json["srif"] = json_of(one.srif, one.faces);

@@ -443,6 +443,8 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
   in_plane_of_cases(out, summary, si);
   utilisations_of_cases(out, summary);
   if (!summary.envelope.empty()) largest_of_cases(out, summary.envelope, thickness);
+  if (std::ranges::any_of(summary.load_cases, [](const auto& one) { return one.large_deflections && !one.of.empty(); }))
+    text += "combinations are solved under their own loads, not superposed (large deflections)\n";
   for (const auto& one : summary.load_cases)
     if (one.reactions)
       reactions(out, *one.reactions, (si ? " [N], " : ", ") + one.name, std::abs(one.reactions->balance.loads.force),

@@ -54,9 +54,9 @@ function buckling_section() {
 function load_steps_section() {
   const { load_steps } = data.summary;
   if (!load_steps) return null;
-  const at = i => `load_steps[${i}]`;
-  return section("Steps of the load", table([{ title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
-    load_steps.map((step, i) => [value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
+  const at = i => `load_steps[${i}]`, cases = load_steps[0].case !== undefined;
+  return section("Steps of the load", table([...(cases ? [{ title: "case", left: true }] : []), { title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
+    load_steps.map((step, i) => [...(cases ? [step.case] : []), value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
 }
 
 function frequencies_section() {

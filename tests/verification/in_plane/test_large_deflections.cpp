@@ -42,7 +42,8 @@ struct Found {
 
   explicit Found(const cases::Case& c) : plates(discretise(c)) {
     REQUIRE(plates.membrane);
-    state = StretchedPlate(*plates.plate, *plates.membrane).equilibrium({1e-9, {}});
+    state = StretchedPlate(*plates.plate, *plates.membrane)
+                .equilibrium({plates.plate->total_load(), plates.membrane->total_load()}, {1e-9, {}});
     REQUIRE(state.converged);
   }
   double largest() const { return state.bending.row(0).cwiseAbs().maxCoeff(); }
