@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include "cases/runs/analyses.hpp"
+#include "cases/runs/cost_estimate.hpp"
 #include "cases/runs/results.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/mechanisms.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"
@@ -71,6 +73,25 @@ void LargeDeflectionRun::finish() {
   results_.finish();
 }
 
+/// Factors of the same case with all spacings twice as wide; none where no such plate can be had.
+std::vector<double> coarser_buckling(const Case& c) {
+  Case coarse = c;
+  coarse.discretization = widened(c.discretization, 2);
+  std::vector<double> result;
+  try {
+    const auto made = plate::discretise(coarse);
+    if (!plate::loose(*made.plate).empty() || !plate::loose(*made.membrane).empty()) return result;
+    const auto geometric = plate::prestress(*made.membrane);
+    for (const auto& mode : plate::buckling(*made.plate, geometric, c.analysis.modes, c.analysis.tolerance))
+      result.push_back(mode.factor);
+  } catch (const plate::Refused&) {
+    return {};
+  } catch (const plate::NumericalError&) {
+    return {};
+  }
+  return result;
+}
+
 /// Buckling loads and shapes of a flat plate.
 class BucklingRun : public PlateAnalysis {
 public:
@@ -94,6 +115,7 @@ void BucklingRun::solve() {
   summary.membrane = at_rest.summary;
   outputs_.warn(std::move(at_rest.warnings));
   const auto found = plate::buckling(plate_, plate::prestress(*ready_.membrane), analysis.modes, analysis.tolerance);
+  const auto errors = errors_of_buckling(content(), found);
   progress.done();
   stopwatch().lap("solve");
   summary.analysis.method = "lanczos";
@@ -102,7 +124,7 @@ void BucklingRun::solve() {
   for (const auto& mode : found) {
     const auto number = summary.buckling.size() + 1;
     post::require_finite(mode.shape, fmt::format("of buckling mode {}", number), plate_);
-    summary.buckling.push_back({number, mode.factor, mode.residual, {}});
+    summary.buckling.push_back({number, mode.factor, mode.residual, errors[number - 1]});
     summary.analysis.residual = std::max(*summary.analysis.residual, mode.residual);
     results_.frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
   }
@@ -126,6 +148,16 @@ void BucklingRun::finish() {
 
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs) {
   return std::make_unique<LargeDeflectionRun>(ready, outputs);
+}
+
+std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found) {
+  if (found.empty()) return {};
+  const double share = c.cracks.empty() ? 0.5 : 1;
+  const auto coarser = coarser_buckling(c);
+  std::vector<std::optional<double>> result(found.size());
+  for (std::size_t i = 0; i < std::min(found.size(), coarser.size()); ++i)
+    result[i] = share * std::abs(found[i].factor - coarser[i]);
+  return result;
 }
 
 std::unique_ptr<PlateAnalysis> buckling(const ValidatedPlate& ready, Outputs& outputs) {

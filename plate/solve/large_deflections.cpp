@@ -175,7 +175,7 @@ MiddlePlane::MiddlePlane(const Formulation& membrane, const Forces& bending) : s
   factor_ = factorised(of_unknowns(stiffness, unknowns_));
 }
 
-/// They are linear in the load and in the squares of the slopes.
+/// Linear in the load and in the squares of the slopes.
 State MiddlePlane::displacements(const State& bending, const Forces& load) const {
   Forces on_bending, force;
   stretching_->internal_force(bending, zero_like(bending), on_bending, force);

@@ -46,8 +46,8 @@ function energy_section() {
 function buckling_section() {
   const { buckling } = data.summary;
   if (!buckling) return null;
-  return section("Buckling loads", table([{ title: "mode" }, { title: "load factor" }, { title: "residual" }],
-    buckling.map((_, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
+  return section("Buckling loads", table([{ title: "mode" }, { title: "load factor" }, { title: "error" }, { title: "residual" }],
+    buckling.map((one, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), one.estimated_error === undefined ? "–" : value(`buckling[${i}].estimated_error`, 2), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
 }
 
 /** Equilibria on the way to the full load. */
