@@ -466,7 +466,8 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
   if (!cancels) sum.heat = plate::heat_of(plate_, shares);
   post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
   if (stretched_) find_equilibrium(one, sum);
-  look(std::move(one), sum, one.iterations.value_or(0));
+  const auto iterations = one.iterations.value_or(0);
+  look(std::move(one), sum, iterations);
 }
 
 void LoadCases::finish() {
