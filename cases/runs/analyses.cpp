@@ -104,6 +104,8 @@ void SinglePlate::solve_static() {
     in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted);
   const auto& solution = result.solution;
   progress.done();
+  summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get(),
+                                                ready_.membrane ? ready_.membrane->total_load() : plate::no_state());
   stopwatch().lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;

@@ -6,10 +6,13 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/membrane.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/crack_contact.hpp"
+#include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -62,6 +65,51 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
   summary.reactions = reactions_of(membrane, state, load);
   return result;
+}
+
+MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
+                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
+                                const std::string& where) {
+  auto result =
+      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, wanted, where, &found.stretch);
+  result.forces.moments = result.fields.force = found.membrane_forces;
+  result.summary.strain_energy = found.membrane_energy;
+  result.summary.external_work = found.external_work;
+  result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
+  return result;
+}
+
+post::Table load_steps(const std::vector<plate::LoadStep>& steps) {
+  post::Table table{{"factor", "iterations", "residual", "largest_deflection", "strain_energy", "stable", "snapped"},
+                    {}};
+  for (const auto& step : steps)
+    table.rows.push_back({step.factor, double(step.iterations), step.residual, step.largest_deflection,
+                          step.strain_energy, step.stable ? "yes" : "no", step.snapped ? "yes" : "no"});
+  return table;
+}
+
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found) {
+  constexpr double coarse = 0.05;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < found.steps.size(); ++i) {
+    const auto& step = found.steps[i];
+    const double before = i == 0 ? 0 : found.steps[i - 1].factor;
+    if (step.snapped)
+      lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: see load_steps.csv", before,
+                                  step.factor));
+  }
+  if (!found.steps.empty() && !found.steps.back().stable)
+    lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
+  const double strain = found.bending_energy + found.membrane_energy,
+               apart = std::abs(found.external_work / strain - 1);
+  if (strain > 0 && !found.snapped() && apart > coarse)
+    lines.push_back(
+        fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
+                    "that grows with the loads; see load_steps.csv",
+                    100 * apart));
+  std::ranges::copy(warnings_about_rotations(found.bending.bottomRows(2).colwise().norm().maxCoeff()),
+                    std::back_inserter(lines));
+  return lines;
 }
 
 void require_equilibrium(const plate::Formulation& membrane, const plate::StaticSolution& solution, double tolerance,
@@ -139,6 +187,26 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
     result.closed.push_back({next && next->force_above > 0, next && next->force_below > 0, scale});
   }
   return result;
+}
+
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane, const plate::Forces& in_plane) {
+  constexpr double small = 0.1, large = 10;  // thicknesses
+  constexpr std::size_t many = 20000;        // points: beyond them the factor costs more than the plate itself
+  if (!plate.offers(plate::Feature::stretching) || plate.distributed() || plate.points() > many) return std::nullopt;
+  if (plate.problem().unilateral() || plate.problem().faces_touch() || plate::has_prescribed_displacements(plate))
+    return std::nullopt;
+  const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
+  if (!(share > small && share < large)) return std::nullopt;
+  try {
+    const auto made = membrane ? nullptr : plate.middle_plane();
+    return plate::linear_theory_off(plate, membrane ? *membrane : *made, state,
+                                    in_plane.cols() > 0 ? in_plane : plate::zero_like(state));
+  } catch (const plate::Refused&) {
+    return std::nullopt;
+  } catch (const plate::NumericalError&) {  // parts that move freely in the plane
+    return std::nullopt;
+  }
 }
 
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,

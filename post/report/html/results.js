@@ -46,17 +46,17 @@ function energy_section() {
 function buckling_section() {
   const { buckling } = data.summary;
   if (!buckling) return null;
-  return section("Buckling loads", table([{ title: "mode" }, { title: "load factor" }, { title: "residual" }],
-    buckling.map((_, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
+  return section("Buckling loads", table([{ title: "mode" }, { title: "load factor" }, { title: "error" }, { title: "residual" }],
+    buckling.map((one, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), one.estimated_error === undefined ? "–" : value(`buckling[${i}].estimated_error`, 2), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
 }
 
 /** Equilibria on the way to the full load. */
 function load_steps_section() {
   const { load_steps } = data.summary;
   if (!load_steps) return null;
-  const at = i => `load_steps[${i}]`;
-  return section("Steps of the load", table([{ title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
-    load_steps.map((step, i) => [value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
+  const at = i => `load_steps[${i}]`, cases = load_steps[0].case !== undefined;
+  return section("Steps of the load", table([...(cases ? [{ title: "case", left: true }] : []), { title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
+    load_steps.map((step, i) => [...(cases ? [step.case] : []), value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
 }
 
 /** Faces of cracks that touch. */
