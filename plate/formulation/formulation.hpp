@@ -129,7 +129,7 @@ public:
   virtual PointMatrix stiffness() const;
   /// Large deflections of the plate, of which this is the plate in its plane.
   virtual std::unique_ptr<Stretching> stretching() const;
-  /// The same points in their plane (PlateLaw::membrane). Of a plate that one process holds.
+  /// A plate of the same points in their plane (PlateLaw::membrane). Of a plate that one process holds.
   /// @throws Refused
   virtual std::unique_ptr<Formulation> middle_plane() const;
   /// The plate itself, factorised. Only of kinds that offer it.
