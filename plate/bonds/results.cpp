@@ -201,7 +201,7 @@ BondView::BondView(const geometry::Cloud& cloud, const geometry::Families& their
   graded = points_on_faces = false;
   doubtful = doubtful_of_bonds * spacing;
   // in the plane, oblique cracks of 4 to 17 spacings: N2 up to 1.5 times as far off as by the weight of bending
-  const double near = section.law == PlateLaw::membrane ? 0.22 : 0.1;
+  const double near = section.law == PlateLaw::membrane ? 0.25 : 0.1;
   trust = {0.4, 0.4, 1.6, 2, near, 0.2, horizon / 2, 0.1, 0.03, false, 0.08, 0.2};
 }
 
