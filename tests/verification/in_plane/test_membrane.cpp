@@ -113,6 +113,15 @@ cases::Case of_bonds(cases::Case c, double spacing) {
   return c;
 }
 
+/// Holds two points of the lattice beside a corner, two spacings from each other.
+void hold_points_in_plane(cases::Case& c) {
+  const double spacing = c.discretization.spacing;
+  const Point first = c.outline.outer.vertices[0] + spacing * Point(0.5, 0.5);
+  Support points = vp::held(SupportKind::in_plane, {});
+  points.points = {first, first + Point(2 * spacing, 0)};
+  c.supports.push_back(points);
+}
+
 /// Central crack of the length 2 a in a plate of the width 1, points graded at its tips.
 cases::Case cracked(double height, double a, double angle) {
   auto c = pulled(1, height, 0, 0.02, {0, 1, 0});
@@ -230,17 +239,52 @@ TEST_CASE("in the plane: reactions carry the loads, and bending knows nothing of
   CHECK(static_solution(*plate::discretise(c).plate, c.analysis, {1e-10, 1000, {}}).solution.state == bent);
 }
 
-TEST_CASE("bonds in the plane: uniform stress bends no edge by more than a spacing's share", "[in_plane]") {
+TEST_CASE("bonds in the plane: uniform stress has its energy but for a layer beside the edges", "[in_plane]") {
   for (const auto& [N, most] : std::vector<std::pair<std::array<double, 3>, double>>{
-           {{1, 0, 0}, 0.002}, {{0, 1, 0}, 0.002}, {{1, 1, 0}, 0.002}, {{0, 0, 1}, 0.002}}) {
+           {{1, 0, 0}, 0.012}, {{1, 1, 0}, 0.010}, {{0, 0, 1}, 0.005}}) {  // measured: 0.88, 0.75, 0.31 %
     CAPTURE(N[0], N[1], N[2]);
     auto c = of_bonds(pulled(1, 1, 0, 0.025, N), 0.025);
     c.srif.reset();
-    hold_in_plane(c);
+    hold_points_in_plane(c);
     const auto result = solved(c);
     const double nu = c.section.poisson, E = c.section.young * c.section.thickness;
     const double stored = (N[0] * N[0] + N[1] * N[1] - 2 * nu * N[0] * N[1] + 2 * (1 + nu) * N[2] * N[2]) / (2 * E);
     CHECK(result.summary.strain_energy == Approx(stored).epsilon(most));
+  }
+}
+
+TEST_CASE("bonds in the plane: factors of strips and squares are within their estimated errors", "[in_plane]") {
+  const std::vector<std::array<double, 3>> plates{
+      {3, 0.2, strip_factor(0.2)}, {3, 0.4, strip_factor(0.4)}, {3, 0.6, strip_factor(0.6)}, {1, 0.5, 1.334}};
+  for (const auto& [height, share, F] : plates) {
+    CAPTURE(height, share);
+    auto c = of_bonds(pulled(1, height, 0, 0.0125, {0, 1, 0}), 0.0125);
+    c.cracks = {{{-share / 2, 0}, {share / 2, 0}}};
+    hold_points_in_plane(c);
+    const double expected = std::sqrt(share / 2) * F;
+    for (const auto& srif : factors_of(c)) {
+      CHECK(srif.K1 == Approx(expected).epsilon(0.01));  // measured: 0.32 to 0.60 %
+      CHECK(std::abs(srif.K1 - expected) < srif.errors[0].value());
+      CHECK(std::abs(srif.K2) < 1e-3 * expected);
+    }
+  }
+}
+
+TEST_CASE("bonds in the plane: oblique cracks are as those of the Galerkin plate", "[in_plane]") {
+  constexpr double a = 0.2;
+  for (const double angle : {15.0, 30.0, 45.0, 60.0}) {
+    CAPTURE(angle);
+    auto c = of_bonds(pulled(1, 1.5, 0, 0.0125, {0, 1, 0}), 0.0125);
+    c.cracks = {turned({{-a, 0}, {a, 0}}, angle)};
+    hold_points_in_plane(c);
+    const auto exact = factors_of(cracked(1.5, a, angle)).front();
+    const double scale = std::hypot(exact.K1, exact.K2);
+    for (const auto& srif : factors_of(c)) {
+      CHECK(std::abs(srif.K1 - exact.K1) < srif.errors[0].value());
+      CHECK(std::abs(std::abs(srif.K2) - std::abs(exact.K2)) < srif.errors[1].value());
+      CHECK(std::abs(srif.K1 - exact.K1) < 0.012 * scale);                     // measured: 0.76 %
+      CHECK(std::abs(std::abs(srif.K2) - std::abs(exact.K2)) < 0.03 * scale);  // measured: 2.5 %
+    }
   }
 }
 
