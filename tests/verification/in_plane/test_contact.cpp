@@ -1,6 +1,6 @@
 // Cracks whose faces touch. References: infinite plates by an own dual integral equation, the openings in Chebyshev
-// polynomials (6 digits; without contact it gives the published factors of infinite plates); fields that are the same
-// everywhere; symmetry.
+// polynomials (6 digits; without contact it gives the published factors of infinite plates); squares by own finite
+// elements; fields that are the same everywhere; symmetry.
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <numbers>
@@ -22,6 +22,8 @@ struct Cracked {
   double angle = 0, turn = 0;  // of the crack from the lower side; of the whole plate [degrees]
   Point middle{0, 0};          // of the crack
   bool contact = true;
+  double pressure = 0;         // with hard simple supports all round
+  bool held_in_plane = false;  // by these
   std::string section = "young = 1.0\npoisson = 0.3";
 
   std::string toml() const {
@@ -35,9 +37,16 @@ struct Cracked {
     std::string text = fmt::format(
         "[section]\n{}\nthickness = {}\n[geometry]\noutline = {{ polygon = [{}, {}, {}, {}], edges = [\"bottom\", "
         "\"right\", \"top\", \"left\"] }}\ncracks = [[{}, {}]]\n[cracks]\ncontact = {}\n[discretization]\nspacing = "
-        "{}\nformulation = \"galerkin\"\n[[support]]\nkind = \"pinned\"\npoints = [{}, {}, {}]\n",
+        "{}\nformulation = \"galerkin\"\n",
         section, thickness, at({-a, -a}), at({a, -a}), at({a, a}), at({-a, a}), at(middle - half), at(middle + half),
-        contact, spacing, at({-a, -a}), at({a, -a}), at({a, a}));
+        contact, spacing);
+    text += pressure != 0 ? fmt::format(
+                                "[[support]]\nkind = \"simply_supported_hard\"\nin_plane = \"{}\"\nedges = "
+                                "[\"left\", \"right\", \"bottom\", \"top\"]\n[[load]]\nkind = "
+                                "\"pressure\"\nvalue = {}\n",
+                                held_in_plane ? "fixed" : "free", pressure)
+                          : fmt::format("[[support]]\nkind = \"pinned\"\npoints = [{}, {}, {}]\n", at({-a, -a}),
+                                        at({a, -a}), at({a, a}));
     if (moment != 0)
       text += fmt::format("[[load]]\nkind = \"edge_moment\"\nedges = [\"bottom\", \"top\"]\nvalue = {}\n", moment);
     if (traction != 0)
@@ -55,7 +64,7 @@ struct Run {
 
   explicit Run(const Cracked& plate) {
     const auto file = cases::read_case_text(plate.toml(), "contact", {});
-    summary = cases::run(file, {.quiet = true, .in_memory = &results});
+    summary = cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
   }
   /// Recommended factors of a tip.
   const post::Srif& tip(std::size_t which) const { return *post::recommended(summary.srif).at(which); }
@@ -113,6 +122,31 @@ TEST_CASE("contact: factors of a crack in an infinite plate, at any angle and pl
     CHECK(tip.membrane->N[0] == Approx(6 * tip.K1 / plate.thickness));
   }
   CHECK(run.summary.contact->closed_share == Approx(1));
+}
+
+TEST_CASE("contact: squares against finite elements", "[in_plane]") {
+  struct Square {
+    double thickness, length, moment, pressure;
+    bool held_in_plane;
+    double K1;
+  };
+  // own finite elements of degree 5, graded to the tips, contact at their points: 4 digits
+  static const std::vector<Square> squares{{0.02, 0.5, 1, 0, false, 0.13343},   {0.1, 0.5, 1, 0, false, 0.13986},
+                                           {0.1, 0.2, 1, 0, false, 0.075639},   {0.1, 0.3, 1, 0, false, 0.095735},
+                                           {0.05, 0.4, 0, 1, false, 0.0047268}, {0.05, 0.4, 0, 1, true, 0.0037068}};
+  const auto& one = GENERATE(from_range(squares));
+  const Run run(Cracked{.thickness = one.thickness,
+                        .length = one.length,
+                        .spacing = 1.0 / 40,
+                        .moment = one.moment,
+                        .pressure = one.pressure,
+                        .held_in_plane = one.held_in_plane});
+  check_complementarity(run);
+  const auto& tip = run.tip(1);
+  INFO("thickness " << one.thickness << ", 2a/W " << one.length << ", K1 " << tip.K1 / one.K1 - 1);
+  CHECK(std::abs(tip.K1 - one.K1) < 0.005 * one.K1);  // 0.38 % of the thinnest, else 0.1 %
+  CHECK(std::abs(tip.K1 - one.K1) < *tip.errors[0]);
+  CHECK(std::abs(tip.membrane->N[0] - 6 * one.K1 / one.thickness) < *tip.membrane->errors[0]);
 }
 
 TEST_CASE("contact: even pressure leaves no factor of opening", "[in_plane]") {
