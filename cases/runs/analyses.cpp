@@ -22,6 +22,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/reactions.hpp"
@@ -89,13 +90,7 @@ MembraneResult SinglePlate::touch(plate::StaticResult& bending) {
   const auto found = plate::touching_faces(plate_, membrane, {bending.solution.state, in_plane});
   bending.solution.state += found.bending, in_plane += found.membrane;
   if (bending.strained.cols() > 0) bending.strained += found.bending;
-  const double scale = found.largest_force() * std::sqrt(found.length());
-  std::vector<post::ClosedTip> closed;
-  for (const auto& tip : plate_.tips()) {
-    const auto* next = found.next_to(tip.position);
-    closed.push_back({next && next->force_above > 0, next && next->force_below > 0, scale});
-  }
-  results_.closed(std::move(closed));
+  results_.closed(post::closed_tips(found, plate_.tips()));
   auto& summary = this->summary();
   summary.contact = post::ContactSummary{found.least_opening(), found.largest_force(), found.closed_share()};
   summary.scene.push_back(
