@@ -72,6 +72,16 @@ bool modes_known(const post::Srif& srif, const Factors& errors, double thickness
   return (errors.K2 < largest || largest == 0) && (errors.N2 < in_plane || in_plane == 0);
 }
 
+/// Sets the energy release rates of a tip whose faces slide on each other and do not open: by its factors, zero where
+/// these are rounding beside the forces that press the faces.
+void slide(post::Srif& srif, const post::ClosedTip& closed, const plate::Section& section) {
+  constexpr double rounding = 1e-4;
+  const auto K = factors_of(srif);
+  const bool slides = size_of(K, section.thickness) > rounding * section.thickness / 6 * closed.scale;
+  srif.G = slides ? energy_release({K.K1, K.K2, K.K3}, section) : 0;
+  srif.membrane->G = slides ? energy_release(K, section) - *srif.G : 0;
+}
+
 /// A tip by its recommended row of these, which are in order, and has an energy release rate.
 LoadedTip loaded(const geometry::Tip& tip, const post::Srif& srif, const std::vector<post::Srif>& all,
                  const plate::Section& section) {
@@ -233,11 +243,7 @@ void GrowingPlate::add_in_plane(Solved& solved, const std::vector<post::ClosedTi
   if (closed.empty()) return;
   post::close(srifs, closed, problem_.section);
   for (auto& srif : srifs)
-    if (closed[srif.tip].above && closed[srif.tip].below && srif.G && srif.membrane && srif.membrane->G) {
-      const auto [K1, K2, K3, N1, N2] = factors_of(srif);  // faces slide on each other, and do not open
-      srif.G = energy_release({K1, K2, K3}, problem_.section);
-      srif.membrane->G = energy_release({.K1 = 0, .K2 = 0, .K3 = 0, .N1 = N1, .N2 = N2}, problem_.section);
-    }
+    if (const auto& tip = closed[srif.tip]; tip.above && tip.below && srif.G) slide(srif, tip, problem_.section);
 }
 
 double GrowingPlate::Solved::work() const {
