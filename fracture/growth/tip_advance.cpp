@@ -36,7 +36,7 @@ Factors at_face(const Factors& f, double thickness, int face) {
   return {face * f.K1 + arm * f.N1, face * f.K2 + arm * f.N2, face * f.K3};
 }
 
-bool known(const Factors& errors) {
+bool all_known(const Factors& errors) {
   return std::isfinite(errors.K1) && std::isfinite(errors.K2) && std::isfinite(errors.K3) && std::isfinite(errors.N1) &&
          std::isfinite(errors.N2);
 }
@@ -117,7 +117,7 @@ double kink_angle(const Factors& f, Growth::Direction direction, const plate::Se
 double kink_error(const Factors& factors, const Factors& errors, Growth::Direction direction,
                   const plate::Section& section) {
   if (direction == Growth::Direction::straight) return 0;
-  if (!known(errors)) return std::numbers::pi;
+  if (!all_known(errors)) return std::numbers::pi;
   const double angle = kink_angle(factors, direction, section);
   constexpr unsigned of_shear = 4, of_bending = 8, all = 32;  // signs of K1, K2, K3, N1, N2, one bit each
   double result = 0;
@@ -137,7 +137,7 @@ double kink_error(const Factors& factors, const Factors& errors, Growth::Directi
 }
 
 double release_error(const Factors& factors, const Factors& errors, const plate::Section& section) {
-  if (!known(errors)) return INFINITY;
+  if (!all_known(errors)) return INFINITY;
   const auto [bending, shear, plane] = releases(section);
   const double whole = releases(section).of(factors);
   const double off = bending * (std::abs(factors.K1) * errors.K1 + std::abs(factors.K2) * errors.K2) +
