@@ -202,8 +202,6 @@ const std::vector<Exclusion> excluded_pairs{
      "history"},
     {large_deflections, growth, "growth",
      "the loads at which cracks grow are found for linear plates: remove it, or analysis.nonlinear"},
-    {large_deflections, load_cases, "case",
-     "states with large deflections do not add up: run each load case by itself, or remove analysis.nonlinear"},
     {large_deflections, factors_to_accuracy, "srif.accuracy", of_linear},
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},

@@ -13,16 +13,13 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
-#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
-#include "post/factors/plate_factors.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/reactions.hpp"
@@ -56,10 +53,10 @@ public:
 
 private:
   void solve_static();
+  MembraneResult touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted);
   void solve_by_lanczos();
   void solve_dynamic();
   void solve_frequencies();
-  MembraneResult touch(plate::StaticResult& bending);
   std::function<void(const plate::Instant&)> observer(std::size_t last, post::Progress& progress);
   void save(const plate::MotionCheckpoint& now);
   std::optional<plate::MotionCheckpoint> restored();
@@ -75,34 +72,16 @@ bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulati
          !post::is_zero(plate::total_lift(plate), plate);
 }
 
-/// Adds to a bent plate what the faces of its cracks do to each other; what this does to the plate in its plane.
-MembraneResult SinglePlate::touch(plate::StaticResult& bending) {
-  const auto& membrane = *ready_.membrane;
-  const std::string where = "in the plane";
-  auto in_plane = plate::zero_state(membrane.points());
-  double residual = 0;
-  if (plate::loaded_in_plane(content())) {
-    const auto found =
-        plate::static_solution(membrane, analysis_, {analysis_.tolerance, analysis_.max_iterations, {}}).solution;
-    require_equilibrium(membrane, found, analysis_.tolerance, where);
-    in_plane = found.state, residual = found.residual;
-  }
-  const auto found = plate::touching_faces(plate_, membrane, {bending.solution.state, in_plane});
-  bending.solution.state += found.bending, in_plane += found.membrane;
-  if (bending.strained.cols() > 0) bending.strained += found.bending;
-  results_.closed(post::closed_tips(found, plate_.tips()));
+/// Adds to a bent plate what contact of the faces of its cracks changes; the results in the plane.
+MembraneResult SinglePlate::touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted) {
+  auto found = with_contact(plate_, *ready_.membrane, analysis_, wanted, bending);
   auto& summary = this->summary();
-  summary.contact = post::ContactSummary{found.least_opening(), found.largest_force(), found.closed_share()};
+  summary.contact = found.summary;
   summary.scene.push_back(
       {"factors of contact", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  post::Table table{{"x", "y", "length", "opening_above", "opening_below", "pressure_above", "pressure_below"}, {}};
-  for (const auto& at : found.faces)
-    table.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_above, at.opening_below,
-                          at.force_above, at.force_below});
-  outputs_.recorder().table("contact", std::move(table));
-  auto result = membrane_results(membrane, in_plane, membrane.total_load(), {content().srif, ready_.membrane_methods});
-  result.summary.residual = residual;
-  return result;
+  outputs_.recorder().table("contact", std::move(found.faces));
+  results_.closed(std::move(found.closed));
+  return std::move(found.in_plane);
 }
 
 void SinglePlate::solve_static() {
@@ -117,13 +96,16 @@ void SinglePlate::solve_static() {
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
   auto result = ready_.solution ? *ready_.solution : plate::static_solution(plate_, analysis_, options);
+  const MembraneFactorsWanted in_plane_wanted{content().srif, ready_.membrane_methods};
   std::optional<MembraneResult> in_plane;
   if (content().faces_touch())
-    in_plane = touch(result);
+    in_plane = touch(result, in_plane_wanted);
   else if (ready_.membrane)
-    in_plane = membrane_at_rest(*ready_.membrane, analysis_, {content().srif, ready_.membrane_methods});
+    in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted);
   const auto& solution = result.solution;
   progress.done();
+  summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get(),
+                                                ready_.membrane ? ready_.membrane->total_load() : plate::no_state());
   stopwatch().lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;
@@ -131,12 +113,12 @@ void SinglePlate::solve_static() {
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate_.cloud().plate_points), 0});
   post::describe(summary.analysis, result.method, solution, analysis_.tolerance);
   post::require_finite(solution.state, "in equilibrium", plate_);
-  const double work = post::slow_work(plate_, result);
-  const double strain = plate_.strain_energy(result.what_strains());
-  plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
-  if (result.strained.cols() > 0) end.rest = &result.strained;
   // faces that touch do no work on the whole, but carry some between bending and the plane
   const auto beside = content().faces_touch() ? in_plane->summary : post::MembraneSummary{};
+  const double work = post::slow_work(plate_, result) + beside.external_work;
+  const double strain = plate_.strain_energy(result.what_strains()) + beside.strain_energy;
+  plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
+  if (result.strained.cols() > 0) end.rest = &result.strained;
   if (in_plane) results_.in_plane(*ready_.membrane, std::move(*in_plane));
   if (moved_as_one_body(result, plate_))
     summary.warnings.emplace_back("the supports move the plate as one rigid body: nothing in it is strained");
@@ -147,6 +129,7 @@ void SinglePlate::solve_static() {
   stopwatch().lap("second_formulation");
   summary.multipliers = plate_.multipliers(solution.state);
   summary.energy = {{"strain", results_.strain_energy()}, {"external_work", results_.external_work()}};
+  if (content().faces_touch()) summary.energy.insert(summary.energy.begin() + 1, {"stretching", beside.strain_energy});
   add_elastic_support_energy(plate_, solution.state, summary);
   if (!ready_.membrane && !post::moves(solution.state, work, plate_))
     post::require_motion(plate_, post::forces_of(plate_), solution.state, work, summary.warnings);
@@ -155,9 +138,7 @@ void SinglePlate::solve_static() {
                                             solution.stop_reason, solution.residual, analysis_.tolerance));
   if (plate_.offers(plate::Feature::symmetry))
     post::EnergyBalance(post::EnergyBalance::Plate::rests)
-        .check({strain + beside.strain_energy + post::energy_about(plate_), strain + beside.strain_energy,
-                work + beside.external_work},
-               "in equilibrium");
+        .check({strain + post::energy_about(plate_), strain, work}, "in equilibrium");
   else
     look_for_coarseness(strain, work, plate_, summary.warnings);
   if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate_, summary.warnings);

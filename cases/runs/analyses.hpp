@@ -8,11 +8,16 @@
 #include "post/files/factor_rows.hpp"
 #include "post/files/summary.hpp"
 
+namespace plate {
+struct BucklingMode;
+}
+
 namespace cases {
 
 class Outputs;
 class PlateAnalysis;
 class RunCheckpoints;
+struct Case;
 
 /// A plate with all that can be refused of its run behind it: nothing has been written yet.
 struct ValidatedPlate {
@@ -53,6 +58,11 @@ std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Ou
 /// Motion under loads in the plane or with large deflections. `checkpoints`: as run().
 std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Outputs& outputs,
                                                 RunCheckpoints* checkpoints);
+
+/// Estimated errors of buckling factors, from those with twice the spacing: half the difference, as errors fall with
+/// the square of the spacing, and all of it beside the tips of cracks, where they fall with the spacing. Absent where
+/// no such plate, or mode, can be had.
+std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found);
 
 /// Loads in the plane at which a flat plate buckles, and its shapes then.
 std::unique_ptr<PlateAnalysis> buckling(const ValidatedPlate& ready, Outputs& outputs);

@@ -14,6 +14,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
@@ -42,8 +43,9 @@ struct LoadCaseState {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
   plate::Heat heat;
-  plate::State strained = plate::no_state();  // plate::StaticResult
-  std::optional<InPlaneState> in_plane = {};  // where loads of any load case act there
+  plate::State strained = plate::no_state();           // plate::StaticResult
+  std::optional<InPlaneState> in_plane = {};           // where loads of any load case act there
+  std::optional<plate::LargeDeflections> curved = {};  // where they were asked for
 
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
@@ -100,46 +102,70 @@ public:
   void finish() override;
 
 private:
+  void solve_stretched();
+  void find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now);
   void look(post::LoadCaseSummary one, const LoadCaseState& now, std::size_t step);
-  void react(post::LoadCaseSummary& one, double number, const plate::State& strained, const plate::Forces& load);
-  MembraneResult look_in_plane(const post::LoadCaseSummary& one, const InPlaneState& now);
+  plate::Instant instant_of(const LoadCaseState& now, std::size_t step) const;
+  void react(post::LoadCaseSummary& one, double number, const LoadCaseState& now);
+  MembraneResult look_in_plane(const post::LoadCaseSummary& one, const LoadCaseState& known);
   LoadCaseState loaded(std::size_t which) const;
+  InPlaneState loaded_in_plane(std::size_t which) const;
   InPlaneState solved_in_plane(std::size_t which, plate::StaticSolver& solver) const;
   void combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   InPlaneState sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   std::vector<CombinedPart> parts_of(const post::LoadCaseSummary& combined, bool in_plane) const;
   std::vector<std::string> warnings() const;
 
+  /// The state with the largest deflection, and its load in the plane.
+  struct Deepest {
+    double deflection = 0;
+    plate::State state;
+    plate::Forces in_plane = plate::no_state();
+  };
+  Deepest deepest_;
+  std::unique_ptr<const plate::StretchedPlate> stretched_;  // with large deflections
   std::vector<post::LoadCaseSummary> found_;
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
   std::vector<std::string> warnings_;
 };
 
+/// The state of the next load case, with its energies.
+plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step) const {
+  const auto number = double(found_.size() + 1);
+  if (const auto& curved = now.curved)
+    return {step, number, now.state, {}, 0, curved->external_work, curved->bending_energy + curved->membrane_energy};
+  const auto& strained = now.what_strains();
+  const double work = post::slow_work(plate_, now.load, now.state) +
+                      plate::PrescribedDisplacements(plate_, now.load, now.lift).work(strained);
+  return {step, number, now.state, {}, 0, work, plate_.strain_energy(strained), 0, -2 * work};
+}
+
 /// Evaluates and records a state in equilibrium under a load.
 void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std::size_t step) {
-  const auto& [load, lift, state, heat, less, stretched] = known;
+  const auto& [load, lift, state, heat, less, stretched, curved] = known;
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
-  const auto number = double(found_.size() + 1);
   post::require_finite(state, when, plate_);
+  if (const double w = state.row(0).cwiseAbs().maxCoeff();
+      w > deepest_.deflection && !curved && plate_.offers(plate::Feature::in_plane))
+    deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
   std::optional<MembraneResult> in_plane;
-  if (stretched) in_plane = look_in_plane(one, *stretched), one.membrane = in_plane->summary;
-  const plate::PrescribedDisplacements prescribed(plate_, load, lift);
-  const double work = post::slow_work(plate_, load, state) + prescribed.work(strained);
-  const double strain = plate_.strain_energy(strained), heated = plate::stored(plate_, heat, state);
+  if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
+  const auto now = instant_of(known, step);
+  const double number = now.time, work = now.external_work, strain = now.strain_energy;
+  const double heated = plate::stored(plate_, heat, state);
   one.strain_energy = strain + heated, one.external_work = work + heated;
-  const plate::Instant now{step, number, state, {}, 0, work, strain, 0, -2 * work};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
-  row.discrete_energy = strain - 2 * work;
+  row.discrete_energy = strain + now.potential;
   if (in_plane) row.in_plane = &in_plane->fields.displacement;
   outputs_.row(row, plate_);
-  react(one, number, strained, load);
+  react(one, number, known);
   if (content().srif)
     one.srif =
         fracture::of_all(plate_, post::srifs(plate_, *content().srif, ready_.tip_methods, strained, true, &heat));
   ready_.other_factors.widen_row(found_.size(), one.srif, plate_.section().thickness);
-  if (!one.of.empty()) post::widen_errors(one.srif, parts_of(one, false), plate_.section().thickness);
+  if (one.superposed()) post::widen_errors(one.srif, parts_of(one, false), plate_.section().thickness);
   if (in_plane) post::add_membrane(one.srif, in_plane->factors, plate_.section());
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
@@ -159,16 +185,17 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const bool rests = !found_.back().of.empty() && post::is_zero(state, plate_);  // a combination that cancels
   const bool stretches = stretched && stretched->acts;
   if (!rests && !stretches && !post::moves(state, work, plate_))
-    post::require_motion(plate_, {prescribed.pull()}, state, work, warnings_);
+    post::require_motion(plate_, {plate::PrescribedDisplacements(plate_, load, lift).pull()}, state, work, warnings_);
+  if (curved) return;  // its work is that along the steps
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({strain + post::energy_about(plate_, lift), strain, work}, when);
 }
 
 /// Adds the reactions to a load.
-void LoadCases::react(post::LoadCaseSummary& one, double number, const plate::State& strained,
-                      const plate::Forces& load) {
+void LoadCases::react(post::LoadCaseSummary& one, double number, const LoadCaseState& now) {
   post::ReactionRows reactions;
-  reactions.add(number, plate_, plate_, strained, load);
+  reactions.add(number, plate_, plate_, now.what_strains(),
+                now.curved ? plate::Forces(now.load + now.curved->on_bending) : now.load);
   if (reactions.empty()) return;
   auto table = reactions.table();
   reactions_.columns = table.columns;
@@ -177,11 +204,18 @@ void LoadCases::react(post::LoadCaseSummary& one, double number, const plate::St
 }
 
 /// Evaluates a state in the plane, which is zero in a load case without loads there.
-MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const InPlaneState& now) {
+MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const LoadCaseState& known) {
   const auto& membrane = *ready_.membrane;
+  const auto& now = *known.in_plane;
   const auto where = fmt::format("in the plane, {}", one.name);
-  auto result = membrane_results(membrane, now.state, now.load, {content().srif, ready_.membrane_methods}, where);
-  if (!one.of.empty()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
+  const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
+  if (known.curved) {
+    auto result = membrane_results(membrane, *known.curved, now.load, wanted, where);
+    factors_in_plane_.push_back(result.factors);
+    return result;
+  }
+  auto result = membrane_results(membrane, now.state, now.load, wanted, where);
+  if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
   factors_in_plane_.push_back(result.factors);
   result.summary.residual = now.residual;
   std::vector<std::string> warnings;
@@ -242,7 +276,61 @@ std::vector<std::string> LoadCases::warnings() const {
   return result;
 }
 
+/// Finds the equilibrium with large deflections under the loads of a load case or combination.
+void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now) {
+  auto& summary = this->summary();
+  auto& about = summary.analysis;
+  auto found = stretched_->equilibrium({now.load, now.in_plane->load}, {content().analysis.tolerance, {}});
+  stopwatch().lap("solve");
+  one.large_deflections = true;
+  one.iterations = found.iterations, one.residual = found.steps.empty() ? 0 : found.steps.back().residual;
+  about.iterations = about.iterations.value_or(0) + found.iterations;
+  about.residual = std::max(about.residual.value_or(0), *one.residual), about.stop_reason = found.stop_reason;
+  auto steps = load_steps(found.steps);
+  steps.columns.emplace_back("case");
+  summary.load_steps.columns = steps.columns;
+  for (auto& row : steps.rows) row.emplace_back(one.name), summary.load_steps.rows.push_back(std::move(row));
+  for (const auto& line : warnings_about(found)) warnings_.push_back(fmt::format("{}: {}", one.name, line));
+  if (!found.converged)
+    throw plate::NumericalError(fmt::format("{}, large deflections: {}", one.name, found.stop_reason));
+  now.state = found.bending, now.in_plane->state = found.membrane;
+  now.curved = std::move(found);
+}
+
+/// Solves every load case and combination by itself, as states with large deflections do not add up.
+void LoadCases::solve_stretched() {
+  const auto& problem = plate_.problem();
+  auto& summary = this->summary();
+  summary.analysis.method = "newton", summary.analysis.tolerance = content().analysis.tolerance;
+  post::Progress progress(quiet(), "load cases");
+  const auto all = double(problem.load_cases.size() + problem.combinations.size());
+  stretched_ = std::make_unique<plate::StretchedPlate>(plate_, *ready_.membrane);
+  std::vector<LoadCaseState> loads;
+  for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
+    post::LoadCaseSummary one{problem.load_cases[i].name};
+    LoadCaseState now = loaded(i);
+    now.state = plate::zero_state(plate_.points()), now.in_plane = loaded_in_plane(i);
+    loads.push_back(now);
+    find_equilibrium(one, now);
+    if (i == 0)
+      summary.scene.push_back(
+          {"factor", "", double(now.curved->factor_bytes) / double(plate_.cloud().plate_points), 0});
+    look(std::move(one), now, now.curved->iterations);
+    stopwatch().lap("srif");
+    progress.update(double(found_.size()) / all, problem.load_cases[i].name);
+  }
+  for (const auto& one : problem.combinations) {
+    combine(one, loads);
+    stopwatch().lap("srif");
+    progress.update(double(found_.size()) / all, one.name);
+  }
+  progress.done();
+  summary.analysis.stop_reason =
+      fmt::format("residual below tolerance in {} load steps", summary.load_steps.rows.size());
+}
+
 void LoadCases::solve() {
+  if (content().analysis.nonlinear) return solve_stretched();
   auto& summary = this->summary();
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;
@@ -281,6 +369,9 @@ void LoadCases::solve() {
     combine(one, cases);
     stopwatch().lap("srif");
   }
+  if (deepest_.deflection > 0)
+    summary.linear_theory_off = linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane);
+  stopwatch().lap("solve");
   progress.done();
 }
 
@@ -296,14 +387,21 @@ LoadCaseState LoadCases::loaded(std::size_t which) const {
   return result;
 }
 
+/// The plate at rest in its plane, with the loads of a load case.
+InPlaneState LoadCases::loaded_in_plane(std::size_t which) const {
+  const auto& problem = plate_.problem();
+  InPlaneState result{forces_of_case(*ready_.membrane, which), plate::zero_state(plate_.points())};
+  result.acts =
+      std::ranges::any_of(plate::loads_of(problem, which), [&](std::size_t k) { return problem.loads[k].in_plane(); });
+  return result;
+}
+
 /// Solves the plate in its plane under the loads of a load case; without any it rests.
 InPlaneState LoadCases::solved_in_plane(std::size_t which, plate::StaticSolver& solver) const {
   const auto& membrane = *ready_.membrane;
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;
-  InPlaneState result{forces_of_case(membrane, which), plate::zero_state(membrane.points())};
-  result.acts =
-      std::ranges::any_of(plate::loads_of(problem, which), [&](std::size_t k) { return problem.loads[k].in_plane(); });
+  auto result = loaded_in_plane(which);
   if (!result.acts) return result;
   auto solution =
       solver(result.load, {analysis.tolerance, analysis.max_iterations, {}}, which + 1 < problem.load_cases.size())
@@ -335,7 +433,8 @@ InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, cons
   return rest;
 }
 
-/// `cases`: the load cases. A combination whose loads cancel to rounding is the plate at rest.
+/// `cases`: the load cases; with large deflections their loads alone, whose sum is solved. A combination whose loads
+/// cancel to rounding is the plate at rest.
 void LoadCases::combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const auto zero = plate::zero_state(plate_.points());
@@ -365,7 +464,10 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
   for (std::size_t i = 0; i < factors.size(); ++i)
     for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
   if (!cancels) sum.heat = plate::heat_of(plate_, shares);
-  look({combination.name, combination.of, {}, cancels ? 0 : residual / size}, sum, 0);
+  post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
+  if (stretched_) find_equilibrium(one, sum);
+  const auto iterations = one.iterations.value_or(0);
+  look(std::move(one), sum, iterations);
 }
 
 void LoadCases::finish() {
@@ -388,6 +490,7 @@ void LoadCases::finish() {
     post::name_cases(reactions_, found_);
     recorder.table("reactions", std::move(reactions_));
   }
+  if (!summary.load_steps.rows.empty()) recorder.table("load_steps", summary.load_steps);
   const auto said = warnings();
   summary.load_cases = std::move(found_);
   post::conclude(summary, {section, content().srif, content().si(), recorder.history(), {}, {}});

@@ -5,9 +5,14 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/crack_contact.hpp"
+#include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -62,6 +67,51 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   return result;
 }
 
+MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
+                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
+                                const std::string& where) {
+  auto result =
+      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, wanted, where, &found.stretch);
+  result.forces.moments = result.fields.force = found.membrane_forces;
+  result.summary.strain_energy = found.membrane_energy;
+  result.summary.external_work = found.external_work;
+  result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
+  return result;
+}
+
+post::Table load_steps(const std::vector<plate::LoadStep>& steps) {
+  post::Table table{{"factor", "iterations", "residual", "largest_deflection", "strain_energy", "stable", "snapped"},
+                    {}};
+  for (const auto& step : steps)
+    table.rows.push_back({step.factor, double(step.iterations), step.residual, step.largest_deflection,
+                          step.strain_energy, step.stable ? "yes" : "no", step.snapped ? "yes" : "no"});
+  return table;
+}
+
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found) {
+  constexpr double coarse = 0.05;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < found.steps.size(); ++i) {
+    const auto& step = found.steps[i];
+    const double before = i == 0 ? 0 : found.steps[i - 1].factor;
+    if (step.snapped)
+      lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: see load_steps.csv", before,
+                                  step.factor));
+  }
+  if (!found.steps.empty() && !found.steps.back().stable)
+    lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
+  const double strain = found.bending_energy + found.membrane_energy,
+               apart = std::abs(found.external_work / strain - 1);
+  if (strain > 0 && !found.snapped() && apart > coarse)
+    lines.push_back(
+        fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
+                    "that grows with the loads; see load_steps.csv",
+                    100 * apart));
+  std::ranges::copy(warnings_about_rotations(found.bending.bottomRows(2).colwise().norm().maxCoeff()),
+                    std::back_inserter(lines));
+  return lines;
+}
+
 void require_equilibrium(const plate::Formulation& membrane, const plate::StaticSolution& solution, double tolerance,
                          const std::string& where) {
   post::require_finite(solution.state, "in equilibrium " + where, membrane);
@@ -105,6 +155,53 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   look_for_coarseness(summary.strain_energy, summary.external_work, membrane, coarse);
   for (const auto& line : coarse) result.warnings.push_back(of_plane(line));
   return result;
+}
+
+ContactResult with_contact(const plate::Formulation& plate, const plate::Formulation& membrane,
+                           const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
+                           plate::StaticResult& bending) {
+  auto in_plane = plate::zero_state(membrane.points());
+  double residual = 0;
+  if (plate::loaded_in_plane(plate.problem())) {
+    const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
+    require_equilibrium(membrane, found.solution, analysis.tolerance, "in the plane");
+    in_plane = found.solution.state, residual = found.solution.residual;
+  }
+  const auto found = plate::touching_faces(plate, membrane, {bending.solution.state, in_plane});
+  bending.solution.state += found.bending, in_plane += found.membrane;
+  if (bending.strained.cols() > 0) bending.strained += found.bending;
+
+  ContactResult result{
+      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
+      .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
+      .faces = {{"x", "y", "length", "opening_above", "opening_below", "pressure_above", "pressure_below"}, {}},
+      .closed = post::closed_tips(found, plate.tips()),
+      .factor_bytes = found.factor_bytes};
+  result.in_plane.summary.residual = residual;
+  for (const auto& at : found.faces)
+    result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_above, at.opening_below,
+                                 at.force_above, at.force_below});
+  return result;
+}
+
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane, const plate::Forces& in_plane) {
+  constexpr double small = 0.1, large = 10;  // thicknesses
+  constexpr std::size_t many = 20000;        // points: beyond them the factor costs more than the plate itself
+  if (!plate.offers(plate::Feature::stretching) || plate.distributed() || plate.points() > many) return std::nullopt;
+  if (plate.problem().unilateral() || plate.problem().faces_touch() || plate::has_prescribed_displacements(plate))
+    return std::nullopt;
+  const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
+  if (!(share > small && share < large)) return std::nullopt;
+  try {
+    const auto made = membrane ? nullptr : plate.middle_plane();
+    return plate::linear_theory_off(plate, membrane ? *membrane : *made, state,
+                                    in_plane.cols() > 0 ? in_plane : plate::zero_like(state));
+  } catch (const plate::Refused&) {
+    return std::nullopt;
+  } catch (const plate::NumericalError&) {  // parts that move freely in the plane
+    return std::nullopt;
+  }
 }
 
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,

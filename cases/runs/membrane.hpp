@@ -8,8 +8,11 @@
 
 namespace plate {
 class Formulation;
+struct LargeDeflections;
+struct LoadStep;
 struct Stretch;
 struct Analysis;
+struct StaticResult;
 struct StaticSolution;
 }  // namespace plate
 
@@ -44,6 +47,36 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
                                 const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
 
+/// Equilibrium of a plate in its plane with contact of the faces of its cracks.
+struct ContactResult {
+  MembraneResult in_plane;
+  post::ContactSummary summary;
+  post::Table faces;                    // contact.csv
+  std::vector<post::ClosedTip> closed;  // of every tip
+  std::size_t factor_bytes = 0;
+};
+
+/// Finds where faces of cracks touch, solves for the plate in its plane, and adds to `bending`, a state without
+/// contact, what contact changes.
+/// @throws plate::NumericalError  as membrane_at_rest() and plate::touching_faces()
+ContactResult with_contact(const plate::Formulation& plate, const plate::Formulation& membrane,
+                           const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
+                           plate::StaticResult& bending);
+
+/// Results in the plane of an equilibrium with large deflections, with the strains that the deflections add.
+/// `in_plane`: the load there; `where`: in messages.
+/// @throws plate::NumericalError  a number is not finite
+MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
+                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
+                                const std::string& where);
+
+/// The rows of load_steps.csv.
+post::Table load_steps(const std::vector<plate::LoadStep>& steps);
+
+/// Warnings about an equilibrium with large deflections that was not reached as loads grow, is not stable, or is beyond
+/// the theory.
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found);
+
 /// Checks a solution of a plate in its plane.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite
 void require_equilibrium(const plate::Formulation& membrane, const plate::StaticSolution& solution, double tolerance,
@@ -58,6 +91,14 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
 /// Checks the energy of a plate in its plane at rest.
 /// @throws plate::NumericalError  it is not the work of the loads
 void require_balance(const post::MembraneSummary& summary, const std::string& where);
+
+/// Estimates by what share linear theory overstates the deflections of a plate at rest (plate::linear_theory_off).
+/// `membrane`, `in_plane`: its plane and the load there, where there is one; null and without columns otherwise. Absent
+/// where deflections are small or beyond any estimate, for more points than a factor suits, and for plates that have no
+/// large deflections.
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane = nullptr,
+                                        const plate::Forces& in_plane = plate::no_state());
 
 /// Adds the fields of a plate in its plane to a frame of its bending; the von Mises stress becomes that of the worse
 /// face under both.

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include "cases/runs/analyses.hpp"
+#include "cases/runs/cost_estimate.hpp"
 #include "cases/runs/results.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/mechanisms.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"
@@ -15,16 +17,6 @@
 namespace cases {
 namespace {
 
-/// Table of the steps of the load.
-post::Table table_of(const std::vector<plate::LoadStep>& steps) {
-  post::Table table{{"factor", "iterations", "residual", "largest_deflection", "strain_energy", "stable", "snapped"},
-                    {}};
-  for (const auto& step : steps)
-    table.rows.push_back({step.factor, double(step.iterations), step.residual, step.largest_deflection,
-                          step.strain_energy, step.stable ? "yes" : "no", step.snapped ? "yes" : "no"});
-  return table;
-}
-
 /// Equilibrium of a plate whose middle plane stretches.
 class LargeDeflectionRun : public PlateAnalysis {
 public:
@@ -35,46 +27,8 @@ public:
   void finish() override;
 
 private:
-  MembraneResult in_plane(const plate::LargeDeflections& found) const;
-  void warn(const plate::LargeDeflections& found);
-
   Results results_;
 };
-
-/// Results in the plane, with the strains that the deflections add.
-MembraneResult LargeDeflectionRun::in_plane(const plate::LargeDeflections& found) const {
-  const auto& membrane = *ready_.membrane;
-  auto result = membrane_results(membrane, found.membrane, membrane.total_load() + found.stretch.forces,
-                                 {content().srif, ready_.membrane_methods}, "in the plane", &found.stretch);
-  result.forces.moments = result.fields.force = found.membrane_forces;
-  result.summary.strain_energy = found.membrane_energy;
-  result.summary.external_work = found.external_work;
-  result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
-  return result;
-}
-
-void LargeDeflectionRun::warn(const plate::LargeDeflections& found) {
-  constexpr double coarse = 0.05;
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < found.steps.size(); ++i) {
-    const auto& step = found.steps[i];
-    const double before = i == 0 ? 0 : found.steps[i - 1].factor;
-    if (step.snapped)
-      lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: see load_steps.csv", before,
-                                  step.factor));
-  }
-  if (!found.steps.empty() && !found.steps.back().stable)
-    lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
-  const double strain = found.bending_energy + found.membrane_energy,
-               apart = std::abs(found.external_work / strain - 1);
-  if (strain > 0 && !found.snapped() && apart > coarse)
-    lines.push_back(
-        fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
-                    "that grows with the loads; see load_steps.csv",
-                    100 * apart));
-  outputs_.warn(std::move(lines));
-  outputs_.warn(warnings_about_rotations(found.bending.bottomRows(2).colwise().norm().maxCoeff()));
-}
 
 void LargeDeflectionRun::solve() {
   const auto& analysis = content().analysis;
@@ -85,19 +39,22 @@ void LargeDeflectionRun::solve() {
         progress.update(factor,
                         fmt::format("load factor {:.3g}, iteration {}, residual {:.1e}", factor, iteration, residual));
       }};
-  const auto found = plate::StretchedPlate(plate_, *ready_.membrane).equilibrium(options);
+  const auto& membrane = *ready_.membrane;
+  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load()};
+  const auto found = plate::StretchedPlate(plate_, membrane).equilibrium(loads, options);
   progress.done();
   stopwatch().lap("solve");
 
   auto& about = summary.analysis;
   about.method = "newton", about.iterations = found.iterations, about.tolerance = analysis.tolerance;
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
-  summary.load_steps = table_of(found.steps);
+  summary.load_steps = load_steps(found.steps);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
   const double strain = found.bending_energy + found.membrane_energy;
   plate::Instant end{found.iterations, 0, found.bending, {}, 0, found.external_work, strain, 0, 0};
   end.stretched = &found.on_bending;
-  results_.in_plane(*ready_.membrane, in_plane(found));
+  results_.in_plane(membrane, membrane_results(membrane, found, loads.in_plane,
+                                               {content().srif, ready_.membrane_methods}, "in the plane"));
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);
@@ -107,13 +64,32 @@ void LargeDeflectionRun::solve() {
                     {"external_work", found.external_work}};
   if (strain == 0)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
-  warn(found);
+  outputs_.warn(warnings_about(found));
   if (!found.converged) throw plate::NumericalError("large deflections: " + found.stop_reason);
 }
 
 void LargeDeflectionRun::finish() {
   outputs_.recorder().table("load_steps", summary().load_steps);
   results_.finish();
+}
+
+/// Factors of the same case with all spacings twice as wide; none where no such plate can be had.
+std::vector<double> coarser_buckling(const Case& c) {
+  Case coarse = c;
+  coarse.discretization = widened(c.discretization, 2);
+  std::vector<double> result;
+  try {
+    const auto made = plate::discretise(coarse);
+    if (!plate::loose(*made.plate).empty() || !plate::loose(*made.membrane).empty()) return result;
+    const auto geometric = plate::prestress(*made.membrane);
+    for (const auto& mode : plate::buckling(*made.plate, geometric, c.analysis.modes, c.analysis.tolerance))
+      result.push_back(mode.factor);
+  } catch (const plate::Refused&) {
+    return {};
+  } catch (const plate::NumericalError&) {
+    return {};
+  }
+  return result;
 }
 
 /// Buckling loads and shapes of a flat plate.
@@ -139,6 +115,7 @@ void BucklingRun::solve() {
   summary.membrane = at_rest.summary;
   outputs_.warn(std::move(at_rest.warnings));
   const auto found = plate::buckling(plate_, plate::prestress(*ready_.membrane), analysis.modes, analysis.tolerance);
+  const auto errors = errors_of_buckling(content(), found);
   progress.done();
   stopwatch().lap("solve");
   summary.analysis.method = "lanczos";
@@ -147,7 +124,7 @@ void BucklingRun::solve() {
   for (const auto& mode : found) {
     const auto number = summary.buckling.size() + 1;
     post::require_finite(mode.shape, fmt::format("of buckling mode {}", number), plate_);
-    summary.buckling.push_back({number, mode.factor, mode.residual, {}});
+    summary.buckling.push_back({number, mode.factor, mode.residual, errors[number - 1]});
     summary.analysis.residual = std::max(*summary.analysis.residual, mode.residual);
     results_.frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
   }
@@ -171,6 +148,16 @@ void BucklingRun::finish() {
 
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs) {
   return std::make_unique<LargeDeflectionRun>(ready, outputs);
+}
+
+std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found) {
+  if (found.empty()) return {};
+  const double share = c.cracks.empty() ? 0.5 : 1;
+  const auto coarser = coarser_buckling(c);
+  std::vector<std::optional<double>> result(found.size());
+  for (std::size_t i = 0; i < std::min(found.size(), coarser.size()); ++i)
+    result[i] = share * std::abs(found[i].factor - coarser[i]);
+  return result;
 }
 
 std::unique_ptr<PlateAnalysis> buckling(const ValidatedPlate& ready, Outputs& outputs) {

@@ -124,10 +124,14 @@ public:
   virtual ChosenPreconditioner preconditioner(Preconditioning wanted) const = 0;
   /// Approximation of (K + shift M)^-1 in the search for frequencies, shift > 0; null: use the diagonal.
   virtual std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const;
-  /// The stiffness, with elastic supports. Only of kinds that offer Feature::stretching, as stretching().
+  /// The stiffness, with elastic supports. Only of kinds that offer Feature::stretching, as stretching() and
+  /// middle_plane().
   virtual PointMatrix stiffness() const;
   /// Large deflections of the plate, of which this is the plate in its plane.
   virtual std::unique_ptr<Stretching> stretching() const;
+  /// A plate of the same points in their plane (PlateLaw::membrane). Of a plate that one process holds.
+  /// @throws Refused
+  virtual std::unique_ptr<Formulation> middle_plane() const;
   /// The plate itself, factorised. Only of kinds that offer it.
   virtual std::unique_ptr<Preconditioner> factor() const;
   virtual SingleForce single_precision() const { return {}; }  // nothing in kinds that do not offer it

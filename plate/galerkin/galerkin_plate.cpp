@@ -134,6 +134,11 @@ public:
   std::unique_ptr<Stretching> stretching() const override {
     return std::make_unique<GalerkinStretching>(op_.families(), sections());
   }
+  std::unique_ptr<Formulation> middle_plane() const override {
+    Stopwatch ignored;
+    return std::make_unique<GalerkinPlate>(
+        discretised_part(membrane_of(problem()), paths(), cells_, communicator(), ignored));
+  }
   std::unique_ptr<Preconditioner> factor() const override {
     if (distributed()) return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));

@@ -40,7 +40,7 @@ std::vector<std::size_t> loads_of(const Problem& problem, std::size_t which);
 /// Factor of each load case in a combination [load cases].
 std::vector<double> factors_of(const Combination& combination, const std::vector<LoadCase>& cases);
 
-/// What faces of cracks do where they meet.
+/// Behaviour of the faces of cracks where they meet.
 struct CrackFaces {
   bool contact = false;  // they touch without friction, and do not overlap
 };

@@ -80,6 +80,7 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
   const auto folded_stiffness = folded(plate.stiffness(), plate.constraints());
   const Forces diagonal = folded_diagonal(plate, plate.constraints());
   const auto all = unknowns(diagonal, elimination_order(folded_stiffness, diagonal));
+  if (all.size() < 2) return {};
   const Matrix K = of_unknowns(folded_stiffness, all), K_g = of_unknowns(folded(geometric, plate.constraints()), all);
   Softening softening(K_g, plate.constraints());
   Stiffness stiffness(K);

@@ -75,7 +75,7 @@ struct Complementarity {
   }
 
 private:
-  /// Those that are pulled, or overlap without being pressed.
+  /// Finds those that are pulled, or overlap without being pressed.
   std::vector<std::size_t> wrong_ones(const Eigen::VectorXd& compliances, const Eigen::VectorXd& c) const {
     constexpr double rounding = 1e-10;
     const double length = rounding * c.cwiseAbs().maxCoeff();
@@ -167,7 +167,7 @@ TouchingFaces touching_faces(const Formulation& plate, const Formulation& membra
   const Complementarity found(both, openings);
 
   TouchingFaces result;
-  result.iterations = found.iterations, result.factor_bytes = bent.bytes() + flat.bytes();
+  result.factor_bytes = bent.bytes() + flat.bytes();
   constexpr double rounding = 1e-9;  // faces that are pressed evenly do not bend the plate
   const double most = found.x.maxCoeff();
   Forces on_bending = zero_forces(plate.points()), on_plane = zero_forces(plate.points());

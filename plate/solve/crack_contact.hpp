@@ -6,7 +6,7 @@
 
 namespace plate {
 
-/// What two points that face each other on a crack do to each other. Above is z > 0.
+/// Opening and contact force of two points that face each other on a crack. Above is z > 0.
 struct FaceContact {
   geometry::Point position;
   double length;                        // of the crack that they stand for [length]
@@ -19,7 +19,7 @@ struct FaceContact {
 struct TouchingFaces {
   State bending, membrane;  // change by the contact
   std::vector<FaceContact> faces;
-  std::size_t iterations = 0, factor_bytes = 0;
+  std::size_t factor_bytes = 0;
 
   double least_opening() const;  // [length]
   double largest_force() const;  // along the crack [force/length]
@@ -36,7 +36,7 @@ struct FreeFaces {
 
 /// Finds where faces of cracks touch. They stay straight through the thickness, so that their opening at z = -h/2 and
 /// h/2 is that of the plane less and plus h/2 times that of the rotations. Both openings and the forces that press
-/// there are not negative, and one of them is zero (theory.md, "Faces of cracks that touch"). `free`: equilibria
+/// there are not negative, and one of them is zero (theory.md, "Faces that touch"). `free`: equilibria
 /// without contact.
 /// @throws NumericalError  where the factor of the stiffness, or the search for what touches, fails
 TouchingFaces touching_faces(const Formulation& plate, const Formulation& membrane, const FreeFaces& free);

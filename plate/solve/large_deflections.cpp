@@ -92,10 +92,12 @@ std::vector<Dof> pins_of(const Formulation& membrane) {
   return result;
 }
 
-Forces diagonal_of(const PointMatrix& matrix) {
+/// The diagonal of a folded matrix, zero at held degrees of freedom.
+Forces free_diagonal(const PointMatrix& matrix, const Constraints& constraints) {
   Forces result = zero_forces(matrix.points());
   for (std::size_t k = 0; k < matrix.points(); ++k)
     result.col(Eigen::Index(k)) = matrix.block[matrix.first[k]].diagonal();
+  for (const auto& held : constraints.held()) at_dof(result, held) = 0;
   return result;
 }
 
@@ -109,6 +111,11 @@ void add(const PointMatrix& matrix, PointMatrix& sum) {
       sum.block[at] += matrix.block[b];
     }
   }
+}
+
+/// Work of loads that stay on the displacements of the plate and of its plane.
+double work_of(const PlateLoads& loads, const State& bending, const State& membrane) {
+  return loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
 }
 
 /// The solution of a factor for folded forces.
@@ -137,8 +144,63 @@ std::unique_ptr<Stretching> Formulation::stretching() const {
   throw std::logic_error("large deflections were asked of a formulation that does not offer them");
 }
 
+std::unique_ptr<Formulation> Formulation::middle_plane() const {
+  throw std::logic_error("the plane was asked of a formulation that does not offer it");
+}
+
 bool LargeDeflections::snapped() const {
   return std::ranges::any_of(steps, &LoadStep::snapped);
+}
+
+MiddlePlane::MiddlePlane(const Formulation& membrane, const Forces& bending)
+    : stretching_(membrane.stretching()), constraints_(pinned(membrane)) {
+  const auto stiffness = folded(membrane.stiffness(), constraints_);
+  diagonal_ = free_diagonal(stiffness, constraints_);
+  order_ = elimination_order(stiffness, bending.cols() > 0 ? Forces(diagonal_ + bending) : diagonal_);
+  unknowns_ = unknowns(diagonal_, order_);
+  factor_ = factorised(of_unknowns(stiffness, unknowns_));
+}
+
+/// Linear in the load and in the squares of the slopes.
+State MiddlePlane::displacements(const State& bending, const Forces& load) const {
+  Forces on_bending, force;
+  stretching_->internal_force(bending, zero_like(bending), on_bending, force);
+  force += load;
+  constraints_.fold(force);
+  State result = solution(*factor_, unknowns_, force);
+  constraints_.impose(result);
+  return result;
+}
+
+namespace {
+
+/// The positive root of a s + b s^3 = 1, b >= 0; infinite where there is none.
+double scale_of_least_energy(double a, double b) {
+  constexpr int most = 100;
+  constexpr double close = 1e-12;
+  if (b <= 0) return a > 0 ? 1 / a : INFINITY;
+  const double by_stretching = std::cbrt(1 / b);
+  // the left side is convex and above 1 here, so that Newton's steps go down to the root
+  double s = a > 0 ? std::min(1 / a, by_stretching) : std::sqrt(-a / b) + by_stretching;
+  for (int i = 0; i < most; ++i) {
+    const double step = (a * s + b * s * s * s - 1) / (a + 3 * b * s * s);
+    s -= step;
+    if (std::abs(step) <= close * s) break;
+  }
+  return s;
+}
+
+}  // namespace
+
+double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
+                         const Forces& in_plane) {
+  const double bent = plate.strain_energy(bending);
+  if (!(bent > 0)) return 0;
+  const MiddlePlane plane(membrane);
+  const State displacements = plane.displacements(bending, zero_like(bending));
+  const double stretched = plane.stretching().energies(bending, displacements).sum();
+  const double by_load = -in_plane.cwiseProduct(displacements).sum();
+  return 1 / scale_of_least_energy(1 + by_load / bent, 2 * stretched / bent) - 1;
 }
 
 /// A state with its membrane in equilibrium, under a share of the loads.
@@ -153,28 +215,17 @@ struct StretchedPlate::Now {
 
 StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& membrane)
     : plate_(plate),
-      membrane_(membrane),
-      stretching_(membrane.stretching()),
       bending_(plate.stiffness()),
-      of_plane_(pinned(membrane)),
-      load_(plate.total_load()),
-      load_in_plane_(membrane.total_load()) {
-  of_both_.add(plate.constraints(), 0), of_both_.add(of_plane_, std::uint32_t(plate.points()));
+      diagonal_(free_diagonal(folded(bending_, plate.constraints()), plate.constraints())),
+      plane_(membrane, diagonal_),
+      weight_(diagonal_.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; })) {
+  const auto points = std::uint32_t(plate.points());
+  of_both_.add(plate.constraints(), 0), of_both_.add(plane_.constraints(), points);
   of_both_.resolve();
-
-  const auto in_plane = folded(membrane.stiffness(), of_plane_);
-  const auto bent = folded(bending_, plate.constraints());
-  Forces diagonal_in_plane = diagonal_of(in_plane), diagonal = diagonal_of(bent);
-  for (const auto& held : of_plane_.held()) at_dof(diagonal_in_plane, held) = 0;
-  for (const auto& held : plate.constraints().held()) at_dof(diagonal, held) = 0;
-  weight_ = diagonal.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; });
   // the unknowns of a point and of the same point in its plane stand together
-  const auto order = elimination_order(in_plane, diagonal_in_plane + diagonal);
   std::vector<int> both;
-  for (const int k : order) both.push_back(k), both.push_back(int(plate.points()) + k);
-  unknowns_in_plane_ = unknowns(diagonal_in_plane, order);
-  unknowns_ = unknowns(stacked(diagonal, diagonal_in_plane), both);
-  plane_ = factorised(of_unknowns(in_plane, unknowns_in_plane_));
+  for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
+  unknowns_ = unknowns(stacked(diagonal_, plane_.diagonal()), both);
 }
 
 StretchedPlate::~StretchedPlate() = default;
@@ -183,27 +234,16 @@ double StretchedPlate::norm(const Forces& forces) const {
   return std::sqrt((forces.array().square() * weight_.array()).sum());
 }
 
-/// Solves the plate in its plane, which is linear in its displacements.
-State StretchedPlate::in_plane(const State& bending, double factor) const {
-  Forces on_bending, force;
-  stretching_->internal_force(bending, zero_like(bending), on_bending, force);
-  force += factor * load_in_plane_;
-  of_plane_.fold(force);
-  State result = solution(*plane_, unknowns_in_plane_, force);
-  of_plane_.impose(result);
-  return result;
-}
-
-StretchedPlate::Now StretchedPlate::at(const State& bending, double factor) const {
-  Now now{bending, in_plane(bending, factor), {}, {}};
+StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& bending, double factor) const {
+  Now now{bending, plane_.displacements(bending, factor * loads.in_plane), {}, {}};
   Forces on_membrane;
-  stretching_->internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
+  plane_.stretching().internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
   plate_.internal_force(now.bending, now.left);
-  now.left += now.on_bending + factor * load_;
+  now.left += now.on_bending + factor * loads.across;
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
-  now.membrane_energy = stretching_->energies(now.bending, now.membrane).sum();
-  now.potential = -factor * (load_.cwiseProduct(now.bending).sum() + load_in_plane_.cwiseProduct(now.membrane).sum());
+  now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
+  now.potential = -factor * work_of(loads, now.bending, now.membrane);
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
     throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
@@ -213,7 +253,7 @@ StretchedPlate::Now StretchedPlate::at(const State& bending, double factor) cons
 /// The stiffness there, with the least share of its diagonal that makes it positive.
 std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
-  auto matrix = stretching_->stiffness(now.bending, now.membrane);
+  auto matrix = plane_.stretching().stiffness(now.bending, now.membrane);
   add(bending_, matrix);
   const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
@@ -230,12 +270,13 @@ State StretchedPlate::direction(const Factor& tangent, const Forces& force) cons
   return result;
 }
 
-/// Newton's iteration at one load factor, with steps that lower the energy.
-bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptions& options, LoadStep& step) const {
+/// Newton's iteration at the load factor of a step, each way as far as it lowers the energy.
+bool StretchedPlate::iterate(Now& now, const PlateLoads& loads, const LargeDeflectionOptions& options,
+                             LoadStep& step) const {
   constexpr std::size_t most = 30;
   constexpr int halvings = 10;
   constexpr double rounding = 1e-13;
-  Forces load = factor * load_;
+  Forces load = step.factor * loads.across;
   plate_.constraints().fold(load);
   for (step.iterations = 0;; ++step.iterations) {
     stop_if_asked("large deflections", plate_.constraints());
@@ -243,7 +284,7 @@ bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptio
     plate_.constraints().fold(stretched);
     const double scale = std::max(norm(load), norm(stretched));
     step.residual = scale > 0 ? now.residual / scale : 0;
-    if (options.progress) options.progress(factor, step.iterations, step.residual);
+    if (options.progress) options.progress(step.factor, step.iterations, step.residual);
     if (step.residual <= options.tolerance) return true;
     if (step.iterations == most) return false;
     double shift = 0;
@@ -252,7 +293,7 @@ bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptio
     const State way = direction(*inverse, stacked(now.left, zero_like(now.left)));
     double share = 1;
     for (int n = 0;; ++n, share /= 2) {
-      Now next = at(now.bending + share * way, factor);
+      Now next = at(loads, now.bending + share * way, step.factor);
       const double room = rounding * (now.bending_energy + now.membrane_energy + std::abs(now.potential));
       if (next.energy() <= now.energy() + room || next.residual < now.residual / 2) {
         now = std::move(next);
@@ -265,6 +306,7 @@ bool StretchedPlate::iterate(Now& now, double factor, const LargeDeflectionOptio
 
 /// The plate as its loads grow.
 struct StretchedPlate::Path {
+  const PlateLoads* loads;
   Now now;
   double factor = 0, step = 1;  // of the loads
   State rate;                   // of the deflections by the factor
@@ -274,28 +316,25 @@ struct StretchedPlate::Path {
   bool stable = true;
 };
 
-double StretchedPlate::by_loads(const State& bending, const State& membrane) const {
-  return load_.cwiseProduct(bending).sum() + load_in_plane_.cwiseProduct(membrane).sum();
-}
-
 /// Finds how the plate goes on from where it is.
 void StretchedPlate::look_ahead(Path& path) const {
   double shift = 0;
   const auto inverse = tangent(path.now, shift);
-  Forces all = stacked(load_, load_in_plane_);
+  const auto& [across, in_plane] = *path.loads;
+  Forces all = stacked(across, in_plane);
   of_both_.fold(all);
   State rate = solution(*inverse, unknowns_, all);
   of_both_.impose(rate);
-  path.rate = rate.leftCols(load_.cols());
-  path.along = by_loads(path.rate, rate.rightCols(load_.cols()));
+  path.rate = rate.leftCols(across.cols());
+  path.along = work_of(*path.loads, path.rate, rate.rightCols(across.cols()));
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
 /// Work of the loads from one equilibrium to the next, by Hermite's rule over the displacement of the loads: exact
 /// where they grow with its third power, as with the stretching of a plate.
 double StretchedPlate::work_between(const Path& before, const Path& after) const {
-  const double moved =
-      by_loads(after.now.bending, after.now.membrane) - by_loads(before.now.bending, before.now.membrane);
+  const double moved = work_of(*after.loads, after.now.bending, after.now.membrane) -
+                       work_of(*after.loads, before.now.bending, before.now.membrane);
   const double mean = moved * (before.factor + after.factor) / 2;
   if (!(before.along > 0) || !(after.along > 0)) return mean;
   return mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
@@ -309,8 +348,8 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     LoadStep step;
     step.factor = path.factor + path.step > 1 - least ? 1 : path.factor + path.step;
     const double length = step.factor - path.factor;
-    Now next = at(path.now.bending + length * path.rate, step.factor);
-    const bool found = iterate(next, step.factor, options, step);
+    Now next = at(*path.loads, path.now.bending + length * path.rate, step.factor);
+    const bool found = iterate(next, *path.loads, options, step);
     result.iterations += step.iterations;
     if (!found) continue;
     step.largest_deflection = next.bending.row(0).cwiseAbs().maxCoeff();
@@ -326,10 +365,10 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
   }
 }
 
-LargeDeflections StretchedPlate::equilibrium(const LargeDeflectionOptions& options) const {
+LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const {
   constexpr double far = 2;  // thicknesses, of the first step by linear theory
   LargeDeflections result;
-  Path path{at(zero_like(load_), 0), 0, 1, {}, 0, 0, 0, true};
+  Path path{.loads = &loads, .now = at(loads, zero_like(loads.across), 0), .rate = {}};
   look_ahead(path);
   const double linear = path.rate.row(0).cwiseAbs().maxCoeff();
   if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);
@@ -342,8 +381,8 @@ LargeDeflections StretchedPlate::equilibrium(const LargeDeflectionOptions& optio
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
   result.factor_bytes = path.bytes;
-  result.stretch = stretching_->stretch(now.bending);
-  result.membrane_forces = stretching_->membrane_forces(now.bending, now.membrane);
+  result.stretch = plane_.stretching().stretch(now.bending);
+  result.membrane_forces = plane_.stretching().membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);
   result.on_bending = std::move(now.on_bending);
   return result;

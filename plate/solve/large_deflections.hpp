@@ -48,6 +48,46 @@ struct LargeDeflections {
 /// Constraints of a plate in its plane, with pins that hold the rigid motions which no support prevents.
 Constraints pinned(const Formulation& membrane);
 
+/// The middle plane of a plate (PlateLaw::membrane) in equilibrium with given deflections. Pins hold the rigid motions
+/// that no support of the plane prevents.
+class MiddlePlane {
+public:
+  /// `membrane` must outlive this. `bending`: diagonal of the stiffness of other unknowns of the same points, which are
+  /// eliminated in the same order; without columns there are none.
+  explicit MiddlePlane(const Formulation& membrane, const Forces& bending = no_state());
+
+  /// The displacements under given deflections and a load in the plane.
+  State displacements(const State& bending, const Forces& load) const;
+
+  const Stretching& stretching() const { return *stretching_; }
+  /// Supports and pins.
+  const Constraints& constraints() const { return constraints_; }
+  /// Diagonal of the folded stiffness, zero at held degrees of freedom.
+  const Forces& diagonal() const { return diagonal_; }
+  const std::vector<int>& order() const { return order_; }  // of elimination
+
+private:
+  std::unique_ptr<const Stretching> stretching_;
+  Constraints constraints_;
+  Forces diagonal_;
+  std::vector<int> order_;
+  Unknowns unknowns_;
+  std::unique_ptr<const Factor> factor_;
+};
+
+/// Estimates by what share of the deflections with large deflections those of linear theory are too large (theory.md,
+/// "Large deflections"), from a linear equilibrium: its shape is kept, its size is the one of least energy. Negative
+/// where loads in the plane make linear theory too small; zero for a state at rest. `membrane`: the same points in
+/// their plane; `in_plane`: their load.
+/// @throws NumericalError  where the plane has no factor
+double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
+                         const Forces& in_plane);
+
+/// Nodal forces on a plate and on the same points in their plane.
+struct PlateLoads {
+  Forces across, in_plane;
+};
+
 /// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains.
 /// States of both stand behind each other: the plate's points, then the same points in their plane.
 class StretchedPlate {
@@ -56,35 +96,29 @@ public:
   StretchedPlate(const Formulation& plate, const Formulation& membrane);
   ~StretchedPlate();
 
-  /// Equilibrium under all loads, which grow together in steps that find their own length.
+  /// Equilibrium under loads that grow together in steps that find their own length.
   /// @throws NumericalError  where a number is not finite
-  LargeDeflections equilibrium(const LargeDeflectionOptions& options) const;
-
-  /// The plane in equilibrium with given deflections and without loads [3 x points].
-  State plane_at_rest(const State& bending) const { return in_plane(bending, 0); }
+  LargeDeflections equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const;
 
 private:
   struct Now;
   struct Path;
-  State in_plane(const State& bending, double factor) const;
-  Now at(const State& bending, double factor) const;
+  Now at(const PlateLoads& loads, const State& bending, double factor) const;
   std::unique_ptr<Factor> tangent(const Now& now, double& shift) const;
   State direction(const Factor& tangent, const Forces& force) const;
-  bool iterate(Now& now, double factor, const LargeDeflectionOptions& options, LoadStep& step) const;
+  bool iterate(Now& now, const PlateLoads& loads, const LargeDeflectionOptions& options, LoadStep& step) const;
   double norm(const Forces& forces) const;
-  double by_loads(const State& bending, const State& membrane) const;
   void look_ahead(Path& path) const;
   double work_between(const Path& before, const Path& after) const;
   bool advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
 
   const Formulation& plate_;
-  const Formulation& membrane_;
-  std::unique_ptr<const Stretching> stretching_;
   PointMatrix bending_;
-  Constraints of_plane_, of_both_;
-  Forces load_, load_in_plane_, weight_;
-  Unknowns unknowns_, unknowns_in_plane_;
-  std::unique_ptr<const Factor> plane_;  // of the plate in its plane
+  Forces diagonal_;  // of it, folded; zero at held degrees of freedom
+  MiddlePlane plane_;
+  Constraints of_both_;
+  Forces weight_;
+  Unknowns unknowns_;
 };
 
 }  // namespace plate

@@ -138,14 +138,14 @@ void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const p
     }
     if (!srif.resolved[0] || !plane.resolved[0]) continue;
     const double N = arm * plane.N[0], shared = std::sqrt((srif.K1 * srif.K1 + 3 * N * N) / 4);
-    const double K = (above && below) || shared <= least ? 0 : shared;
+    const double K = (above && below) || shared <= least ? 0 : shared, signed_K = K > 0 && above ? -K : K;
     const auto error = [&](double value, const std::optional<double>& estimated, double unit) {
       return std::max(estimated.value_or(0) * unit, std::abs(std::abs(value) - K));
     };
     const double most =
         shared <= least ? 0 : std::max(error(srif.K1, srif.errors[0], 1), error(N, plane.errors[0], arm));
-    if (srif.F1 && srif.K1 != 0) *srif.F1 *= (above ? -K : K) / srif.K1;
-    srif.K1 = above ? -K : K, srif.errors[0] = most;
+    if (srif.F1 && srif.K1 != 0) *srif.F1 *= signed_K / srif.K1;
+    srif.K1 = signed_K, srif.errors[0] = most;
     plane.N[0] = K / arm, plane.errors[0] = most / arm;
     if (const double largest = largest_factor(srif, plane.thickness); largest > 0)
       srif.estimated_error = std::max(srif.estimated_error.value_or(0), most / largest);

@@ -26,7 +26,7 @@ struct TipPlace {
   double known_error = 0;  // of all factors, whatever the field about the tip says, as a share of the largest
 };
 
-/// What acts about a tip beside the forces on its points.
+/// Influences on the field about a tip beside the forces on its points.
 struct ActingAtTip {
   /// Curvatures of heat that varies, less that at the tip, of which the state is cold(); in the plane the strains of
   /// the deflections. Absent where it is null.

@@ -116,12 +116,13 @@ std::vector<std::string> names_of_frames(const plate::Problem& problem) {
   return names;
 }
 
-/// Errors of the combination that a frame is of, from those of the load cases in the frames before.
+/// Errors of the combination that a frame is of, from those of the load cases in the frames before. With large
+/// deflections it is no sum of theirs.
 void widen_errors_of_frame(std::size_t frame, const plate::Formulation& plate,
                            std::vector<std::vector<Srif>>& of_frames) {
   const auto& problem = plate.problem();
   const auto cases = problem.load_cases.size();
-  if (frame < cases) return;
+  if (frame < cases || problem.stretches) return;
   const auto factors = plate::factors_of(problem.combinations[frame - cases], problem.load_cases);
   std::vector<std::pair<double, const std::vector<Srif>*>> parts;
   for (std::size_t i = 0; i < cases; ++i) parts.emplace_back(factors[i], &of_frames[i]);

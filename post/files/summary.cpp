@@ -253,6 +253,7 @@ Json json_of(const AccuracySummary& accuracy) {
 Json json_of(const LoadCaseSummary& one) {
   Json json{{"name", one.name}};
   if (!one.of.empty()) json["of"] = json_of(one.of);
+  if (!one.of.empty() && one.large_deflections) json["superposed"] = false;
   add(json, "iterations", one.iterations);
   add(json, "residual", one.residual);
   json["srif"] = json_of(one.srif, one.faces);
@@ -321,6 +322,7 @@ std::string to_json(const Summary& summary) {
   for (const auto& one : summary.envelope) json["envelope"].push_back(json_of(one));
   if (summary.deflection_over_thickness)
     json["sanity"] = {{"deflection_over_thickness", *summary.deflection_over_thickness}};
+  if (summary.linear_theory_off) json["sanity"]["linear_theory_off"] = *summary.linear_theory_off;
   if (summary.touching) json["touching"] = *summary.touching;
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);

@@ -119,7 +119,7 @@ struct ContactSummary {
 struct LoadCaseSummary {
   std::string name;
   std::vector<std::pair<std::string, double>> of = {};  // of a combination
-  std::optional<std::size_t> iterations = {};           // of a load case
+  std::optional<std::size_t> iterations = {};           // of a load case, or with large deflections
   std::optional<double> residual = {};                  // relative; of a combination at most this
   std::vector<Srif> srif = {};
   std::vector<FaceFactors> faces = {};  // of every entry of srif
@@ -127,6 +127,10 @@ struct LoadCaseSummary {
   std::optional<ReactionSummary> reactions = {};
   double strain_energy = 0, external_work = 0;
   std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
+  bool large_deflections = false;                // solved by itself, also a combination
+
+  /// True of a combination that is the sum of states.
+  bool superposed() const { return !of.empty() && !large_deflections; }
 };
 
 /// The largest of all load cases and combinations: K1, K2, K3, G, N1, N2 or the utilisation of a tip, and which of them
@@ -204,6 +208,7 @@ struct Summary {
   std::vector<LoadCaseSummary> load_cases;             // then combinations
   std::vector<EnvelopeEntry> envelope;                 // of them
   std::optional<double> deflection_over_thickness;     // the largest of the run
+  std::optional<double> linear_theory_off;             // in statics: estimated share by which it is too large
   std::optional<double> touching;                      // share of the unilateral foundations which is pressed
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it

@@ -180,6 +180,14 @@ void describe(Summary::Analysis& analysis, const std::string& method, const plat
   analysis.stop_reason = solution.stop_reason;
 }
 
+std::string error_of_linear_theory(const Summary& summary) {
+  constexpr double told = 0.05;
+  const double off = summary.linear_theory_off.value_or(0);
+  if (std::abs(off) < told) return "";
+  return fmt::format("linear theory {} deflections by about {:.0f} %", off > 0 ? "overstates" : "understates",
+                     100 * std::abs(off));
+}
+
 void conclude(Summary& summary, Found found) {
   summary.srif = std::move(found.factors);
   if (found.options) summary.toughness = found.options->toughness;
@@ -188,11 +196,15 @@ void conclude(Summary& summary, Found found) {
   if (summary.reactions) warn_of(*summary.reactions, summary.analysis.tolerance.value_or(0), summary.warnings);
   if (const auto w = largest_deflection(found.history)) {
     summary.deflection_over_thickness = *w / found.section.thickness;
-    if (found.si && !found.stretches && *summary.deflection_over_thickness > small_deflection)
+    if (summary.linear_theory_off) {
+      if (const auto said = error_of_linear_theory(summary); found.si && !said.empty())
+        summary.warnings.push_back(said + "; set `nonlinear` = true");
+    } else if (found.si && !found.stretches && *summary.deflection_over_thickness > small_deflection) {
       summary.warnings.push_back(fmt::format(
           "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g} x "
           "thickness; check units and loads, or set `nonlinear` = true",
           *summary.deflection_over_thickness, *w, small_deflection));
+    }
   }
 }
 

@@ -72,6 +72,9 @@ private:
 void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
               double tolerance);
 
+/// Says how far linear theory is off, where the summary has an estimate that matters; empty otherwise.
+std::string error_of_linear_theory(const Summary& summary);
+
 /// Results of a run.
 struct Found {
   const plate::Section& section;
@@ -84,7 +87,8 @@ struct Found {
 };
 
 /// Sets what summaries of all runs say alike: factors, at the faces too, reactions, the largest deflection, and warns
-/// where a plate bends farther than small deflections reach: in SI units only, cases without units may be scaled.
+/// where a plate bends farther than small deflections reach, by the estimate of the summary where it has one: in SI
+/// units only, cases without units may be scaled.
 void conclude(Summary& summary, Found found);
 
 /// A warning of the point support whose reaction makes deflections grow most without limit as points get closer: by

@@ -344,11 +344,14 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   text += printed_responses(summary.response, si);
   if (!summary.resonances.empty()) fmt::format_to(out, "resonances: {:.6g}\n", fmt::join(summary.resonances, ", "));
   if (summary.growth) growth(out, *summary.growth);
-  if (const auto share = summary.deflection_over_thickness;
-      share && !si && summary.load_steps.rows.empty() && *share > small_deflection)
+  if (summary.linear_theory_off) {
+    if (const auto said = error_of_linear_theory(summary); !si && !said.empty()) text += said + '\n';
+  } else if (const auto share = summary.deflection_over_thickness;
+             share && !si && summary.load_steps.rows.empty() && *share > small_deflection) {
     fmt::format_to(
         out, "largest deflection is {:.2g} x thickness; linear plate theory is reliable up to about {:g} x thickness\n",
         *share, small_deflection);
+  }
   for (const auto& warning : summary.warnings) fmt::format_to(out, "warning: {}\n", warning);
   return text + results_in(folder);
 }
@@ -443,6 +446,8 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
   in_plane_of_cases(out, summary, si);
   utilisations_of_cases(out, summary);
   if (!summary.envelope.empty()) largest_of_cases(out, summary.envelope, thickness);
+  if (std::ranges::any_of(summary.load_cases, [](const auto& one) { return one.large_deflections && !one.of.empty(); }))
+    text += "combinations are solved under their own loads, not superposed (large deflections)\n";
   for (const auto& one : summary.load_cases)
     if (one.reactions)
       reactions(out, *one.reactions, (si ? " [N], " : ", ") + one.name, std::abs(one.reactions->balance.loads.force),

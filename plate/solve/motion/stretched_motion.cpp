@@ -100,7 +100,8 @@ State StretchedMotion::at_rest(const Analysis& analysis) const {
 }
 
 State StretchedMotion::deflected(const State& bending) const {
-  return stacked(bending, stretching_ ? StretchedPlate(plate_, membrane_).plane_at_rest(bending) : zero_like(bending));
+  return stacked(bending,
+                 stretching_ ? MiddlePlane(membrane_).displacements(bending, zero_like(bending)) : zero_like(bending));
 }
 
 double stable_time_step(const Formulation& plate, const Formulation& membrane, double rotary) {

@@ -158,5 +158,6 @@ function load_cases_section() {
         : [[value(`envelope[${i}].value`), one.estimated_error === undefined ? null : element("span", { class: "error" }, ` ± ${shown(one.estimated_error, 2)}`)], one.case])]), { "data-table": "envelope" })] : null,
     element("h3", {}, "Forces and deflections"), table([{ title: "case", left: true }, { title: "load along w", unit: unit("force") }, { title: "largest w", unit: unit("w") }, { title: "largest von Mises", unit: unit("von_mises") }], sizes),
     reactions_in_plane(all),
+    all.some(one => one.superposed === false) ? note("Combinations are solved under their own loads: states with large deflections are not superposed.") : null,
     note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));
 }

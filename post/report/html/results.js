@@ -30,7 +30,7 @@ function plate_section() {
 }
 
 const energy_names = {
-  strain: "strain energy", attached: "of it in foundations, springs and stiffeners", kinetic: "kinetic energy", external_work: "work of the loads", dissipated: "taken by damping", fracture: "fracture energy", released: "released as the crack ran",
+  strain: "strain energy", bending: "of it in bending", stretching: "of it in the plane", attached: "of it in foundations, springs and stiffeners", kinetic: "kinetic energy", external_work: "work of the loads", dissipated: "taken by damping", fracture: "fracture energy", released: "released as the crack ran",
   residual: "not accounted for", frozen: "left in pieces without bonds",
 };
 
@@ -46,17 +46,28 @@ function energy_section() {
 function buckling_section() {
   const { buckling } = data.summary;
   if (!buckling) return null;
-  return section("Buckling loads", table([{ title: "mode" }, { title: "load factor" }, { title: "residual" }],
-    buckling.map((_, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
+  return section("Buckling loads", table([{ title: "mode" }, { title: "load factor" }, { title: "error" }, { title: "residual" }],
+    buckling.map((one, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), one.estimated_error === undefined ? "–" : value(`buckling[${i}].estimated_error`, 2), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
 }
 
 /** Equilibria on the way to the full load. */
 function load_steps_section() {
   const { load_steps } = data.summary;
   if (!load_steps) return null;
-  const at = i => `load_steps[${i}]`;
-  return section("Steps of the load", table([{ title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
-    load_steps.map((step, i) => [value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
+  const at = i => `load_steps[${i}]`, cases = load_steps[0].case !== undefined;
+  return section("Steps of the load", table([...(cases ? [{ title: "case", left: true }] : []), { title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
+    load_steps.map((step, i) => [...(cases ? [step.case] : []), value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
+}
+
+/** Faces of cracks that touch. */
+function contact_section() {
+  const { contact } = data.summary;
+  if (!contact) return null;
+  return section("Contact of crack faces", facts([
+    ["Closed", `${shown(100 * contact.closed_share, 3)} % of the length of the cracks`],
+    ["Largest pressure", value("contact.largest_pressure", 4), ` ${si ? "N/m" : ""} along the crack`],
+    ["Least opening", value("contact.least_opening", 4), si ? " m" : ""],
+  ]), note("contact.csv has every pair of points that face each other."));
 }
 
 function frequencies_section() {

@@ -42,7 +42,8 @@ struct Found {
 
   explicit Found(const cases::Case& c) : plates(discretise(c)) {
     REQUIRE(plates.membrane);
-    state = StretchedPlate(*plates.plate, *plates.membrane).equilibrium({1e-9, {}});
+    state = StretchedPlate(*plates.plate, *plates.membrane)
+                .equilibrium({plates.plate->total_load(), plates.membrane->total_load()}, {1e-9, {}});
     REQUIRE(state.converged);
   }
   double largest() const { return state.bending.row(0).cwiseAbs().maxCoeff(); }
@@ -91,6 +92,56 @@ TEST_CASE("large deflections: small loads give linear theory, and the state goes
   CHECK((straight.state.membrane - up.state.membrane).norm() < 1e-9 * straight.state.membrane.norm());
   const Found turned(pressed(250, 0.04, simply_supported, InPlane::fixed, 0.1, 45));
   CHECK(std::abs(turned.largest() / straight.largest() - 1) < 0.02);
+}
+
+TEST_CASE("large deflections: linear theory is off as estimated, within a factor of 2", "[in_plane]") {
+  using enum SupportKind;
+  const std::vector<Square> squares{
+      {simply_supported, InPlane::normal, 15, 0}, {simply_supported, InPlane::normal, 60, 0},
+      {simply_supported, InPlane::fixed, 8, 0},   {simply_supported, InPlane::fixed, 100, 0},
+      {simply_supported, InPlane::free, 60, 0},   {simply_supported, InPlane::free, 200, 0},
+      {clamped, InPlane::fixed, 60, 0},           {clamped, InPlane::fixed, 250, 0},
+      {clamped, InPlane::free, 100, 0},           {clamped, InPlane::free, 250, 0}};
+  for (const auto& one : squares)
+    for (const bool cracked : {false, true}) {
+      INFO("kind " << int(one.kind) << ", in the plane " << int(one.in_plane) << ", q " << one.q << ", " << cracked);
+      auto c = pressed(one.q, 0.04, one.kind, one.in_plane, 0.1);
+      if (cracked) c.cracks = {{Point(-0.5, 0), Point(0.5, 0)}};
+      const Found found(c);
+      const auto& plate = *found.plates.plate;
+      const State linear = vp::solved(plate).state;
+      const double off = linear.row(0).cwiseAbs().maxCoeff() / found.largest() - 1;
+      const double estimated = linear_theory_off(plate, *found.plates.membrane, linear, zero_like(linear));
+      CHECK(off > 0.05);
+      CHECK(estimated > off / 2);
+      CHECK(estimated < off * 2);
+      c.stretches = false;  // the plane that is made when it is needed is the same
+      const auto alone = discretise(c);
+      CHECK_FALSE(alone.membrane);
+      CHECK(linear_theory_off(*alone.plate, *alone.plate->middle_plane(), linear, zero_like(linear)) == estimated);
+    }
+}
+
+TEST_CASE("large deflections: linear theory is off by loads in the plane as estimated", "[in_plane]") {
+  const double N = std::numbers::pi * std::numbers::pi * Section{1, 0.3, 0.04, 5.0 / 6, 1}.bending_stiffness() / 4;
+  for (const double share : {2.0, 0.5, -0.25}) {  // of the buckling load under all-round compression, over two
+    INFO("share " << share);
+    auto c = pressed(3, 0.04, SupportKind::simply_supported, InPlane::free, 0.1);
+    c.supports.push_back(vp::held(SupportKind::in_plane, {}));
+    c.supports.back().points = {{0, 0}, {0.1, 0}};
+    EdgeTraction traction{c.supports[0].edges};
+    traction.tensor = std::array{share * N, share * N, 0.0};
+    c.loads.push_back({traction});
+    const Found found(c);
+    const auto& plate = *found.plates.plate;
+    const State linear = vp::solved(plate).state;
+    const double off = linear.row(0).cwiseAbs().maxCoeff() / found.largest() - 1;
+    const double estimated =
+        linear_theory_off(plate, *found.plates.membrane, linear, found.plates.membrane->total_load());
+    CHECK(off * share > 0);
+    CHECK(estimated / off > 0.5);
+    CHECK(estimated / off < 2);
+  }
 }
 
 TEST_CASE("large deflections: a plate that nothing holds in its plane is pinned without a force", "[in_plane]") {

@@ -195,7 +195,9 @@ TEST_CASE("stretched motion: a damped plate comes to rest in its equilibrium", "
   c.loads = {{Pressure{60 * c.section.young * std::pow(h, 4)}}};
   c.loads[0].history.kind = History::Kind::ramp, c.loads[0].history.rise_time = 2 / f;
   const Moving moving(c);
-  const auto rest = StretchedPlate(*moving.plates.plate, *moving.plates.membrane).equilibrium({1e-10, {}});
+  const auto &plate = *moving.plates.plate, &membrane = *moving.plates.membrane;
+  const auto rest =
+      StretchedPlate(plate, membrane).equilibrium({plate.total_load(), membrane.total_load()}, {1e-10, {}});
   REQUIRE(rest.converged);
   CHECK(rest.bending.row(0).cwiseAbs().maxCoeff() > h);
   DynamicOptions options;

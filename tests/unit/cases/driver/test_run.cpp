@@ -105,6 +105,41 @@ TEST_CASE("factors again: state.h5 of a run with large deflections gives all fac
   CHECK_THROWS_AS(cases::energy_check(file), cases::CaseError);
 }
 
+TEST_CASE("a linear run at rest tells by how much linear theory is off, where this may matter") {
+  const auto run_of = [](const std::string& more, const std::vector<std::string>& settings) {
+    const small_run::TemporaryFolder scratch;
+    std::vector<std::string> all{"units=SI", "support[0].edges=[\"left\",\"right\",\"bottom\",\"top\"]",
+                                 "support[0].in_plane=\"fixed\"", "discretization.spacing=0.1"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    return cases::run(case_text::read(case_text::plain + more, all), {scratch / "run", true});
+  };
+  const auto warned = [](const post::Summary& summary) {
+    return std::ranges::any_of(summary.warnings, [](const std::string& line) {
+      return line.starts_with("linear theory overstates deflections by about") &&
+             line.ends_with("set analysis.nonlinear = true");
+    });
+  };
+  const auto deep = run_of("", {"load[0].value=1"});
+  REQUIRE(deep.linear_theory_off);
+  CHECK(*deep.linear_theory_off > 0.1);
+  CHECK(warned(deep));
+  const auto exact = run_of("", {"load[0].value=1", "analysis.nonlinear=true"});
+  CHECK_FALSE(exact.linear_theory_off);
+  const double off = *deep.deflection_over_thickness / *exact.deflection_over_thickness - 1;
+  CHECK(*deep.linear_theory_off > off / 2);
+  CHECK(*deep.linear_theory_off < off * 2);
+  CHECK_FALSE(run_of("", {"load[0].value=0.01"}).linear_theory_off);
+  CHECK_FALSE(run_of("", {"load[0].value=1e4"}).linear_theory_off);
+  CHECK_FALSE(run_of("", {"load[0].value=1", "discretization.formulation=ordinary"}).linear_theory_off);
+  const auto of_cases = run_of(
+      "[[case]]\nname = \"a\"\nload = [{ kind = \"pressure\", value = 0.1 }]\n"
+      "[[case]]\nname = \"b\"\nload = [{ kind = \"pressure\", value = 1 }]\n",
+      {"-load"});
+  REQUIRE(of_cases.linear_theory_off);
+  CHECK(*of_cases.linear_theory_off == Approx(*deep.linear_theory_off).epsilon(1e-3));
+  CHECK(warned(of_cases));
+}
+
 TEST_CASE("factors: twice the spacing widens the errors of N1 and N2") {
   const small_run::TemporaryFolder scratch;
   const auto factors = [&](const std::vector<std::string>& more) {

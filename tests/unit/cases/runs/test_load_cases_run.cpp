@@ -344,3 +344,82 @@ TEST_CASE("load cases: without loads in the plane nothing is stored for them") {
   for (const auto& entry : all.summary.envelope) CHECK(entry.quantity != "utilisation");
   CHECK_THAT(all.in_memory.summary, !Catch::Contains("membrane"));
 }
+
+namespace {
+
+/// Thick enough for deflections of the order of the thickness.
+Run run_curved(const std::string& text) {
+  return run(text, "galerkin",
+             {"discretization.spacing=0.1", "discretization.refine_tips=false", "section.young=2e4",
+              "analysis.nonlinear=true", "analysis.tolerance=1e-9", "analysis.method=cg", "srif.toughness=50",
+              "support=[{ kind = 'clamped', edges = ['left', 'bottom', 'top'], in_plane = 'fixed' }]"});
+}
+
+/// A load case with large deflections is a run with large deflections under its loads alone.
+void compare_curved(const post::LoadCaseSummary& one, const Run& all, std::size_t number_of_case, const Run& alone) {
+  INFO(one.name);
+  REQUIRE(one.srif.size() == alone.summary.srif.size());
+  double bending = 0, in_plane = 0;
+  for (const auto* srif : post::recommended(alone.summary.srif))
+    bending = std::max(bending, std::abs(srif->K1)), in_plane = std::max(in_plane, std::abs(srif->membrane->N[0]));
+  REQUIRE(in_plane > 0);
+  for (std::size_t i = 0; i < one.srif.size(); ++i) {
+    const auto &a = one.srif[i], &b = alone.summary.srif[i];
+    CHECK(std::abs(a.K1 - b.K1) < 1e-6 * bending);
+    CHECK(std::abs(a.K2 - b.K2) < 1e-6 * bending);
+    CHECK(a.errors[0].value_or(0) == Approx(b.errors[0].value_or(0)).epsilon(1e-4).margin(1e-6 * bending));
+    REQUIRE(a.membrane.has_value() == b.membrane.has_value());
+    if (a.membrane) CHECK(std::abs(a.membrane->N[0] - b.membrane->N[0]) < 1e-6 * in_plane);
+    CHECK(one.faces[i].utilisation.value_or(0) ==
+          Approx(alone.summary.faces[i].utilisation.value_or(0)).epsilon(1e-5).margin(1e-12));
+  }
+  const auto &probes = table_of(all, "probes"), &own = table_of(alone, "probes");
+  for (const std::string name : {"w", "u", "v"})
+    CHECK(number(probes.rows.at(number_of_case - 1)[probes.column(name)]) ==
+          Approx(number(own.rows.at(0)[own.column(name)])).epsilon(1e-6));
+  CHECK(one.reactions->balance.supports[0].force ==
+        Approx(alone.summary.reactions->balance.supports[0].force).epsilon(1e-6));
+  CHECK(one.reactions->balance.residual < 1e-6);
+  for (const std::size_t i : {0, 1, 2})
+    CHECK((one.membrane->reactions.at(i).force - alone.summary.membrane->reactions.at(i).force).norm() <
+          1e-6 * alone.summary.membrane->reactions.at(i).force.norm());
+  const auto energy = [&](const std::string& name) {
+    return std::ranges::find(alone.summary.energy, name, &std::pair<std::string, double>::first)->second;
+  };
+  CHECK(one.strain_energy == Approx(energy("strain")).epsilon(1e-6));
+  CHECK(one.external_work == Approx(energy("external_work")).epsilon(1e-6));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "load cases: with large deflections each is what it is alone, and a combination what its loads are together") {
+  const auto text = no_load + load_case("dead", {scaled(press, "2")}) +
+                    load_case("drag", {scaled(drag, "4"), scaled(third, "-0.3")}) +
+                    "[[combination]]\nname = \"all\"\nof = { dead = 1.5, drag = -2 }\n" +
+                    "[[combination]]\nname = \"nothing\"\nof = { dead = 0, drag = 0 }\n";
+  const auto all = run_curved(text);
+  const auto& found = all.summary.load_cases;
+  REQUIRE(found.size() == 4);
+  const std::string twice = "kind = \"body_force\"\nvector = [-8, -0.2]\n";
+  const auto dead = run_curved(no_load + "[[load]]\n" + scaled(press, "2"));
+  compare_curved(found[0], all, 1, dead);
+  compare_curved(found[2], all, 3,
+                 run_curved(no_load + "[[load]]\n" + scaled(press, "3") + "[[load]]\n" + twice + "[[load]]\n" +
+                            scaled(third, "0.6")));
+  const auto& probes = table_of(all, "probes");
+  const auto w = [&](std::size_t row) { return number(probes.rows.at(row)[probes.column("w")]); };
+  CHECK(std::abs(w(2) - (1.5 * w(0) - 2 * w(1))) > 0.01 * std::abs(w(2)));  // it is no sum
+  CHECK(w(3) == 0);
+  CHECK(all.summary.load_steps.columns.back() == "case");
+  CHECK(table_of(all, "load_steps").rows.size() == all.summary.load_steps.rows.size());
+  CHECK(all.summary.analysis.method == "newton");
+  CHECK_FALSE(all.summary.linear_theory_off);
+  CHECK(all.in_memory.frames.size() == 4);
+  CHECK(all.summary.outcome == "done");
+  CHECK(nlohmann::json::parse(all.in_memory.summary).at("load_cases").at(2).at("superposed") == false);
+  std::set<std::string> quantities;
+  for (const auto& entry : all.summary.envelope) quantities.insert(entry.quantity);
+  CHECK(quantities.contains("utilisation"));
+  CHECK(quantities.contains("N1"));
+}

@@ -33,6 +33,23 @@ std::vector<std::string> names(const ordered_json& json) {
 
 }  // namespace
 
+TEST_CASE("summary.json: an estimate of the error of linear theory stands beside the deflection") {
+  post::Summary summary;
+  summary.deflection_over_thickness = 2, summary.linear_theory_off = 0.5;
+  CHECK(ordered_json::parse(post::to_json(summary))["sanity"] ==
+        ordered_json{{"deflection_over_thickness", 2}, {"linear_theory_off", 0.5}});
+}
+
+TEST_CASE("summary.json: a combination with large deflections is marked as no sum of states") {
+  post::Summary summary;
+  summary.load_cases = {{"a"}, {"b", {{"a", 2}}}};
+  const auto cases = [&] { return ordered_json::parse(post::to_json(summary))["load_cases"]; };
+  for (const auto& one : cases()) CHECK_FALSE(one.contains("superposed"));
+  for (auto& one : summary.load_cases) one.large_deflections = true;
+  CHECK_FALSE(cases()[0].contains("superposed"));
+  CHECK(cases()[1]["superposed"] == false);
+}
+
 TEST_CASE("summary.json has the fields of its contract in their order") {
   post::Summary summary;
   summary.title = "plate \xC3\xA9 \xFF";  // an e with an accent, and a byte that is not UTF-8

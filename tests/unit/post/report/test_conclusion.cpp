@@ -46,6 +46,23 @@ TEST_CASE("conclusion: deflections beyond half a thickness are warned of in SI u
   CHECK_FALSE(frequencies.reactions);
 }
 
+TEST_CASE("conclusion: an estimate of the error of linear theory takes the place of the limit of deflections") {
+  const post::Table history{{"time", "max_abs_w"}, {{0.0, 0.2}}};
+  const std::optional<post::SrifOptions> none;
+  for (const auto& [off, words] :
+       std::vector<std::pair<double, std::string>>{{0.049, ""},
+                                                   {0.354, "linear theory overstates deflections by about 35 %"},
+                                                   {-0.2, "linear theory understates deflections by about 20 %"}})
+    for (const bool si : {false, true}) {
+      post::Summary summary;
+      summary.linear_theory_off = off;
+      post::conclude(summary, {section, none, si, history, {}, {}});
+      CHECK(post::error_of_linear_theory(summary) == words);
+      CHECK(summary.warnings == (si && !words.empty() ? std::vector<std::string>{words + "; set `nonlinear` = true"}
+                                                      : std::vector<std::string>()));
+    }
+}
+
 TEST_CASE("conclusion: tips that reach the toughness by their recommended method, or at any time of a motion") {
   auto summary = concluded(0, false, 1500.0);  // K_I = 1063, 2127
   REQUIRE(summary.faces.size() == 3);

@@ -124,4 +124,8 @@ TEST_CASE(
   content.deflection_over_thickness = 6e8;
   CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("6e+08 x thickness"));
   CHECK_THAT(post::printed(content, true, 0.1, "there"), !Catch::Contains("x thickness"));  // a warning says it
+  content.linear_theory_off = 0.354;
+  CHECK_THAT(post::printed(content, false, 0.1, "there"),
+             Catch::Contains("linear theory overstates deflections by about 35 %") && !Catch::Contains("x thickness"));
+  CHECK_THAT(post::printed(content, true, 0.1, "there"), !Catch::Contains("linear theory"));
 }

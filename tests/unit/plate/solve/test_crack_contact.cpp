@@ -1,0 +1,97 @@
+#include "plate/solve/crack_contact.hpp"
+
+#include "cases/input/case_file.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/discretised.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/solve/large_deflections.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/cases/case_text.hpp"
+
+using namespace plate;
+
+namespace {
+
+/// Plates with cracks that end inside, at an edge, at each other, that bend, and that cross.
+Discretised cracked(const std::string& cracks) {
+  return discretise(case_text::read(case_text::plain,
+                                    {"geometry.cracks=" + cracks, "cracks.contact=true", "discretization.spacing=0.1",
+                                     "discretization.refine_tips=false", "discretization.formulation=galerkin"})
+                        .content);
+}
+
+/// Free displacements that open and close cracks somehow.
+State waves(const Formulation& plate, double phase) {
+  State result = zero_state(plate.points());
+  for (Eigen::Index k = 0; k < result.cols(); ++k) {
+    const auto& x = plate.cloud().positions[std::size_t(k)];
+    result.col(k) << 0, std::sin(9 * x.x() + phase + double(k)), std::cos(7 * x.y() + phase - double(k));
+  }
+  return result;
+}
+
+double along(const FacePair& pair, const State& state) {
+  const auto at = [&](std::uint32_t k) { return pair.normal.x() * state(2, k) - pair.normal.y() * state(1, k); };
+  return at(pair.above) - at(pair.below);
+}
+
+}  // namespace
+
+TEST_CASE("contact of crack faces: openings and forces are complementary, and forces balance the change") {
+  const auto cracks =
+      GENERATE(as<std::string>(), "[[[-0.31,0.02],[0.33,0.1]]]", "[[[-1.0,0.1],[0.2,0.15]]]",
+               "[[[-0.4,-0.3],[0.0,0.05],[0.4,0.3]]]", "[[[-0.5,0.0],[0.5,0.0]],[[0.0,-0.5],[0.0,0.5]]]",
+               "[[[-0.5,0.0],[0.5,0.0]],[[0.0,0.0],[0.2,0.5]]]");
+  INFO(cracks);
+  const auto plates = cracked(cracks);
+  const auto &plate = *plates.plate, &membrane = *plates.membrane;
+  const State bending = waves(plate, 0.3), plane = waves(plate, 1.1);
+  const auto pairs = plate.face_pairs();
+  REQUIRE(pairs.size() > 4);
+  const auto found = touching_faces(plate, membrane, {bending, plane});
+  REQUIRE(found.faces.size() == pairs.size());
+  const State bent = bending + found.bending, flat = plane + found.membrane;
+  const double arm = plate.section().thickness / 2;
+  Forces on_bending, on_plane;
+  plate.internal_force(found.bending, on_bending), membrane.internal_force(found.membrane, on_plane);
+  std::size_t pressed = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& face = found.faces[i];
+    CHECK(face.opening_above == Approx(along(pairs[i], flat) + arm * along(pairs[i], bent)).margin(1e-9));
+    CHECK(face.opening_below == Approx(along(pairs[i], flat) - arm * along(pairs[i], bent)).margin(1e-9));
+    for (const auto& [opening, force] :
+         {std::pair(face.opening_above, face.force_above), std::pair(face.opening_below, face.force_below)}) {
+      CHECK(opening >= -1e-9);
+      CHECK(force >= 0);
+      CHECK(opening * force == 0);
+      pressed += force > 0;
+    }
+  }
+  CHECK(pressed > 2);
+  CHECK(pressed < 2 * pairs.size());
+  // the forces of the change are those of contact, on the faces alone
+  Forces left = on_plane;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [above, below, normal, length] = pairs[i];
+    const double press = (found.faces[i].force_above + found.faces[i].force_below) * length;
+    const PointValues apart(0, -press * normal.y(), press * normal.x());
+    left.col(above) += apart, left.col(below) -= apart;
+  }
+  pinned(membrane).fold(left);
+  CHECK(left.norm() < 1e-8 * on_plane.norm());
+}
+
+TEST_CASE("contact of crack faces: nothing is pressed where all is open, or where there is no crack") {
+  const auto plates = cracked("[[[-0.31,0.02],[0.33,0.1]]]");
+  State open = zero_state(plates.plate->points());
+  for (const auto& pair : plates.plate->face_pairs()) {
+    open(2, pair.above) = pair.normal.x(), open(1, pair.above) = -pair.normal.y();
+    open(2, pair.below) = -pair.normal.x(), open(1, pair.below) = pair.normal.y();
+  }
+  const auto found = touching_faces(*plates.plate, *plates.membrane, {zero_like(open), open});
+  CHECK(found.largest_force() == 0);
+  CHECK(found.closed_share() == 0);
+  CHECK(found.least_opening() == Approx(2));
+  CHECK(found.bending.norm() == 0);
+}
