@@ -238,7 +238,7 @@ void QuasiStaticRun::finish() {
                  {content_.section, content_.srif, content_.si(), outputs_->recorder().history(), reactions_, latest_});
   if (plane) {
     if (!content_.faces_touch()) outputs_->warn(warnings_about_overlaps(latest_));
-    summary.membrane = plane->summary;
+    summary.membrane = plane->summary, summary.contact = tips_->contact(factor_);
   }
   summary.overlaps = overlaps;
   summary.growth = growth_summary();

@@ -176,7 +176,7 @@ LoadedPlate GrowingPlate::full_load(const std::vector<geometry::Polyline>& crack
   const auto methods = post::tip_methods(plate, options_of_factors_);
   const auto tips = plate.tips();
   solve(std::move(found), methods);
-  const auto& [solved, state, srifs, in_plane] = *latest_;
+  const auto& [solved, state, srifs, in_plane, contact] = *latest_;
   const auto lift = plate::total_lift(*solved.plate);
   const auto load = solved.plate->total_load();
   result.held = 2 * plate::PrescribedDisplacements(*solved.plate, load, lift).work(state);
@@ -207,15 +207,21 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
   require_equilibrium(plate, solved, analysis_.tolerance);
   auto in_plane = found.membrane ? at_rest_in_plane(*found.membrane) : plate::no_state();
   std::vector<post::ClosedTip> closed;
+  std::optional<post::ContactSummary> contact;
   if (problem_.faces_touch()) {
     const auto touching = plate::touching_faces(plate, *found.membrane, {solution.state, in_plane});
     solution.state += touching.bending, in_plane += touching.membrane;
     if (solved.strained.cols() > 0) solved.strained += touching.bending;
     closed = post::closed_tips(touching, plate.tips());
+    contact = {touching.least_opening(), touching.largest_force(), touching.closed_share()};
   }
   const auto heat = plate::heat_of(plate, 1);
   auto factors = of_all(plate, post::srifs(plate, options_of_factors_, methods, solved.what_strains(), true, &heat));
-  latest_ = Solved{std::move(found), std::move(solution.state), std::move(factors), std::move(in_plane)};
+  latest_ = Solved{.found = std::move(found),
+                   .state = std::move(solution.state),
+                   .srifs = std::move(factors),
+                   .in_plane = std::move(in_plane),
+                   .contact = contact};
   if (latest_->found.membrane) add_in_plane(*latest_, closed);
   post::require_finite(latest_->srifs, "under the whole load");
   stopwatch_.lap("srif");
@@ -276,6 +282,12 @@ std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {
   auto result = seen_.srifs;
   const auto& tips = seen_.found.plate->tips();
   for (auto& srif : result) srif = scaled(std::move(srif), factor), srif.tip = number_of(tips[srif.tip]);
+  return result;
+}
+
+std::optional<post::ContactSummary> GrowingPlate::contact(double factor) const {
+  auto result = seen_.contact;
+  if (result) result->least_opening *= factor, result->largest_pressure *= factor;
   return result;
 }
 

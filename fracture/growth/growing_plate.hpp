@@ -4,6 +4,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/tip_methods.hpp"
+#include "post/files/summary.hpp"
 
 namespace fracture {
 
@@ -29,6 +30,8 @@ public:
   /// The plate in its plane at the last equilibrium, and its state under the whole load; null where nothing acts there.
   const plate::Formulation* membrane() const { return seen_.found.membrane.get(); }
   const plate::State& state_in_plane() const { return seen_.in_plane; }
+  /// Contact of the faces of cracks at the last equilibrium, under a share of the load; none where faces may overlap.
+  std::optional<post::ContactSummary> contact(double factor) const;
 
 private:
   LoadedPlate full_load(const std::vector<geometry::Polyline>& cracks) override;
@@ -39,6 +42,7 @@ private:
     plate::State state;
     std::vector<post::Srif> srifs;
     plate::State in_plane = plate::no_state();  // of the plate in its plane, where something acts there
+    std::optional<post::ContactSummary> contact = {};
 
     double work() const;  // of the loads and of supports that move, as if both grew slowly
     bool moves(double work) const;
