@@ -17,6 +17,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/hdf5/state_file.hpp"
@@ -151,6 +152,11 @@ post::Table fatigue(const std::filesystem::path& folder, const ParisLaw& law, do
     throw CaseError({{file.place("growth"), "growth",
                       "cycles are counted along tips that grow quasi-statically: a static case with [growth] and "
                       "criterion = \"energy_release\""}});
+  if (plate::loaded_in_plane(c) || c.faces_touch())
+    throw CaseError(
+        {{file.place("growth"), "growth",
+          "cycles are counted by the bending stress at the face, and membrane forces act here too: tips.csv "
+          "has K1, K2, K3, N1 and N2 along the way"}});
   say_doubts_of_growth(folder);
   try {
     return fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law, load,

@@ -175,17 +175,12 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
       .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
       .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
       .faces = {{"x", "y", "length", "opening_above", "opening_below", "pressure_above", "pressure_below"}, {}},
-      .closed = {},
+      .closed = post::closed_tips(found, plate.tips()),
       .factor_bytes = found.factor_bytes};
   result.in_plane.summary.residual = residual;
   for (const auto& at : found.faces)
     result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_above, at.opening_below,
                                  at.force_above, at.force_below});
-  const double scale = found.largest_force() * std::sqrt(found.length());
-  for (const auto& tip : plate.tips()) {
-    const auto* next = found.next_to(tip.position);
-    result.closed.push_back({next && next->force_above > 0, next && next->force_below > 0, scale});
-  }
   return result;
 }
 

@@ -96,6 +96,8 @@ void QuasiStaticRun::observe(const fracture::Equilibrium& now) {
   state_ = now.factor * model_->state();
   post::Sample row{time, now.advance, state_, now.ledger.strain, 0, now.ledger.external_work, now.ledger.fracture};
   row.released_energy = now.ledger.released(), row.load_factor = now.factor, row.displacement = now.displacement;
+  const auto plane = in_plane();
+  if (plane) row.in_plane = &plane->fields.displacement;
   outputs_->place_probes(plate);
   outputs_->row(row, plate);
   reactions_.add(time, plate, model_->forces(), state_, now.factor);
@@ -116,10 +118,26 @@ void QuasiStaticRun::observe(const fracture::Equilibrium& now) {
 void QuasiStaticRun::frame() {
   framed_ = true;
   if (!outputs_->recorder().draws()) return;
-  auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
-  auto mesh = model_->draw(frame, state_);
+  auto [frame, mesh] = drawn();
   post::set_factors(*frame.cracks, latest_);
   outputs_->frame(model_->plate(), std::move(frame), std::move(mesh));
+}
+
+/// The last advance as it is drawn.
+std::pair<post::Frame, plate::Mesh> QuasiStaticRun::drawn() const {
+  std::pair result{post::frame_of(model_->plate(), double(advance_), advance_, state_, false), plate::Mesh{}};
+  auto& [frame, mesh] = result;
+  mesh = model_->draw(frame, state_);
+  if (const auto plane = in_plane()) add_in_plane(frame, model_->plate(), *tips_->membrane(), *plane);
+  return result;
+}
+
+/// The plate in its plane at the last advance; none where nothing acts there.
+std::optional<MembraneResult> QuasiStaticRun::in_plane() const {
+  const auto* membrane = tips_ ? tips_->membrane() : nullptr;
+  if (!membrane) return std::nullopt;
+  return membrane_results(*membrane, factor_ * tips_->state_in_plane(), factor_ * membrane->total_load(), {{}, {}},
+                          fmt::format("in the plane at advance {}", advance_));
 }
 
 template <typename Archive>
@@ -162,9 +180,7 @@ void QuasiStaticRun::record() {
   const bool solved = state_.cols() > 0;
   if (solved && !framed_) frame();
   if (solved && recorder.stores()) {
-    auto frame = post::frame_of(model_->plate(), double(advance_), advance_, state_, false);
-    model_->draw(frame, state_);  // its resultants
-    outputs_->final_state(model_->plate(), std::move(frame));
+    outputs_->final_state(model_->plate(), drawn().first);
   }
   if (tips_ || content_.srif) recorder.table("srif", srifs_);
   if (!reactions_.empty()) recorder.table("reactions", reactions_.table());
@@ -204,7 +220,8 @@ void QuasiStaticRun::finish() {
                                     model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   for (auto& one : model_->record().cut_places(content_)) warnings_.push_back(std::move(one));
-  const auto overlaps = post::face_overlaps(srifs_);
+  const auto plane = solved ? in_plane() : std::nullopt;
+  const auto overlaps = plane ? std::vector<post::FaceOverlaps>() : post::face_overlaps(srifs_);
   for (auto& one : post::warnings_about_faces(overlaps, content_.section, {},
                                               [](double advance) { return fmt::format("advance {:g}", advance); }))
     warnings_.push_back(std::move(one));
@@ -219,6 +236,10 @@ void QuasiStaticRun::finish() {
   post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), content_.analysis.tolerance);
   post::conclude(summary,
                  {content_.section, content_.srif, content_.si(), outputs_->recorder().history(), reactions_, latest_});
+  if (plane) {
+    if (!content_.faces_touch()) outputs_->warn(warnings_about_overlaps(latest_));
+    summary.membrane = plane->summary, summary.contact = tips_->contact(factor_);
+  }
   summary.overlaps = overlaps;
   summary.growth = growth_summary();
   const auto& energies = outcome_.ledger;

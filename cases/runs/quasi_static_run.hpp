@@ -1,4 +1,5 @@
 #pragma once
+#include "cases/runs/membrane.hpp"
 #include "cases/runs/outputs.hpp"
 #include "fracture/growth/quasi_static_growth.hpp"
 #include "plate/formulation/discretised.hpp"
@@ -43,6 +44,8 @@ private:
   void memory(Archive& archive);
   void observe(const fracture::Equilibrium& now);
   void frame();
+  std::pair<post::Frame, plate::Mesh> drawn() const;
+  std::optional<MembraneResult> in_plane() const;
   void record();
   post::GrowthSummary growth_summary() const;
 

@@ -4,6 +4,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/tip_methods.hpp"
+#include "post/files/summary.hpp"
 
 namespace fracture {
 
@@ -26,6 +27,11 @@ public:
   double heated(double factor) const override;
   std::optional<std::vector<post::Srif>> factors(double factor) override;
   plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;
+  /// The plate in its plane at the last equilibrium, and its state under the whole load; null where nothing acts there.
+  const plate::Formulation* membrane() const { return seen_.found.membrane.get(); }
+  const plate::State& state_in_plane() const { return seen_.in_plane; }
+  /// Contact of the faces of cracks at the last equilibrium, under a share of the load; none where faces may overlap.
+  std::optional<post::ContactSummary> contact(double factor) const;
 
 private:
   LoadedPlate full_load(const std::vector<geometry::Polyline>& cracks) override;
@@ -35,9 +41,17 @@ private:
     plate::Discretised found;
     plate::State state;
     std::vector<post::Srif> srifs;
+    plate::State in_plane = plate::no_state();  // of the plate in its plane, where something acts there
+    std::optional<post::ContactSummary> contact = {};
+
+    double work() const;  // of the loads and of supports that move, as if both grew slowly
+    bool moves(double work) const;
   };
   plate::Discretised discretised(const std::vector<geometry::Polyline>& cracks);
+  std::string split(const plate::Discretised& found) const;
   void solve(plate::Discretised found, const std::vector<post::TipMethods>& methods);
+  plate::State at_rest_in_plane(const plate::Formulation& membrane) const;
+  void add_in_plane(Solved& solved, const std::vector<post::ClosedTip>& closed) const;
 
   plate::Problem problem_;
   const plate::Communicator& communicator_;

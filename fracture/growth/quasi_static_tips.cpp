@@ -30,13 +30,20 @@ double in_degrees(double angle) {
 /// others: their direction turns with every small change of them.
 std::string governed_by_shear(const Growth& growth, const plate::Section& section, const Factors& K,
                               const Factors& errors) {
-  const double others = std::hypot(K.K1, K.K2), shear = std::abs(K.K3) * section.thickness;
+  const double others = size_of({.K1 = K.K1, .K2 = K.K2, .K3 = 0, .N1 = K.N1, .N2 = K.N2}, section.thickness);
+  const double shear = std::abs(K.K3) * section.thickness;
   if (growth.direction != Growth::Direction::tangential_moment || !(errors.K3 < std::abs(K.K3) / 2) ||
       shear <= 2 * others)
     return "";
   return fmt::format(
       "; K3 times the thickness is {:.2g} times K1 and K2 there: `direction` = \"energy_release\" counts it",
       shear / others);
+}
+
+/// Names the face of the plate whose stress turns a tip, as tips.csv has it; empty where both have the same.
+std::string name_of_face(const Factors& factors, Growth::Direction direction, double thickness) {
+  if (direction != Growth::Direction::tangential_moment || (factors.K1 == 0 && factors.K2 == 0)) return "";
+  return governing_face(factors, thickness) > 0 ? "z>0" : "z<0";
 }
 
 }  // namespace
@@ -63,7 +70,9 @@ std::size_t QuasiStaticTips::number_of(const geometry::Tip& tip) const {
 }
 
 bool QuasiStaticTips::may_grow(const LoadedTip& tip) const {
-  return tip.G && *tip.G > 0 && !(growth_.tension_only && tip.factors.K1 <= 0) && !growth_.held(tip.tip.position);
+  const auto& K = tip.factors;
+  const bool closed = growth_.tension_only && K.K1 + section_.thickness / 6 * K.N1 <= 0;  // at z > 0
+  return tip.G && *tip.G > 0 && !closed && !pressed(K, section_.thickness) && !growth_.held(tip.tip.position);
 }
 
 Loaded QuasiStaticTips::solve() {
@@ -208,6 +217,8 @@ void QuasiStaticTips::choose(const Equilibrium& state) {
     if (G) {
       one.G = state.factor * state.factor * *G;
       one.K1 = state.factor * K.K1, one.K2 = state.factor * K.K2, one.K3 = state.factor * K.K3;
+      one.N1 = state.factor * K.N1, one.N2 = state.factor * K.N2;
+      one.face = name_of_face(K, growth_.direction, section_.thickness);
     }
     record_.add(one);
   }

@@ -66,6 +66,12 @@ void Record::add(const TipRow& row) {
   tips.rows.push_back({row.advance, cell(row.time), row.tip, cell(row.crack), row.x, row.y, row.angle, cell(row.length),
                        cell(row.moves), cell(row.G), cell(row.K1), cell(row.K2), cell(row.K3), cell(row.begin),
                        cell(row.piece), cell(row.speed), cell(row.spent), cell(row.reached)});
+  if (auto& cells = tips.rows.back(); cells.size() < tips.columns.size())
+    cells.insert(cells.end(), {cell(row.N1), cell(row.N2), cell(row.face)});
+}
+
+void Record::acts_in_plane() {
+  tips.columns.insert(tips.columns.end(), {"N1", "N2", "face"});
 }
 
 post::Table Record::crack_table() const {

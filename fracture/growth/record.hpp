@@ -73,6 +73,8 @@ struct TipRow {
   double x = 0, y = 0, angle = 0;                                       // where it is and points to [length, degrees]
   std::optional<double> length = {};                                    // of its crack [length]
   std::optional<double> moves = {}, G = {}, K1 = {}, K2 = {}, K3 = {};  // quasi-static
+  std::optional<double> N1 = {}, N2 = {};                               // where loads act in the plane
+  std::string face = {};                                                // of the plate, whose stress turns the tip
   std::optional<double> begin = {}, piece = {}, speed = {},
                         spent = {};  // in motion: of the piece of crack that it has gone
   std::string reached = {};          // an edge, a hole or a crack
@@ -83,6 +85,8 @@ struct Record {
   Record();
   void add(const GrowthRow& row);
   void add(const TipRow& row);
+  /// Gives tips the columns of loads in the plane, before their first row.
+  void acts_in_plane();
 
   post::Table growth, tips;
   post::Cracks cracks;  // with the advance, or in motion the time, at which every vertex was reached

@@ -15,14 +15,30 @@ constexpr double least_turn = std::numbers::pi / 180;
 constexpr double not_known = std::numbers::pi / 6;  // error of a direction: a kink is up to 70 degrees
 constexpr double slight = std::numbers::pi / 12;    // left away with a warning where it is not known
 
-/// Energy release rates of unit factors, up to a common factor: of K1 or K2, and of K3.
+/// Energy release rates of unit factors, up to a common factor: of K1 or K2, of K3, and of N1 or N2.
 struct Releases {
-  double bending, shear;
+  double bending, shear, plane;
+
+  double of(const Factors& f) const {
+    return bending * (f.K1 * f.K1 + f.K2 * f.K2) + shear * f.K3 * f.K3 + plane * (f.N1 * f.N1 + f.N2 * f.N2);
+  }
 };
 
 Releases releases(const plate::Section& section) {
   return {12 / (section.young * std::pow(section.thickness, 3)),
-          (1 + section.poisson) / (section.young * section.thickness) / section.shear_correction};
+          (1 + section.poisson) / (section.young * section.thickness) / section.shear_correction,
+          1 / (section.young * section.thickness)};
+}
+
+/// Moments with the stress that bending and membrane forces have together at a face, seen from there.
+Factors at_face(const Factors& f, double thickness, int face) {
+  const double arm = thickness / 6;
+  return {face * f.K1 + arm * f.N1, face * f.K2 + arm * f.N2, face * f.K3};
+}
+
+bool all_known(const Factors& errors) {
+  return std::isfinite(errors.K1) && std::isfinite(errors.K2) && std::isfinite(errors.K3) && std::isfinite(errors.N1) &&
+         std::isfinite(errors.N2);
 }
 
 /// The place of the largest value in [-pi/2, pi/2]: of half-degree steps, then by golden section.
@@ -44,23 +60,55 @@ double largest(const std::function<double(double)>& value) {
 
 Factors kinked(const Factors& f, double angle) {
   const double c = std::cos(angle / 2), s = std::sin(angle / 2);
-  return {c * c * c * f.K1 - 3 * c * c * s * f.K2, c * c * s * f.K1 + c * (1 - 3 * s * s) * f.K2, c * f.K3};
+  const auto first = [&](double one, double two) { return c * c * c * one - 3 * c * c * s * two; };
+  const auto second = [&](double one, double two) { return c * c * s * one + c * (1 - 3 * s * s) * two; };
+  return {.K1 = first(f.K1, f.K2),
+          .K2 = second(f.K1, f.K2),
+          .K3 = c * f.K3,
+          .N1 = first(f.N1, f.N2),
+          .N2 = second(f.N1, f.N2)};
+}
+
+double energy_release(const Factors& factors, const plate::Section& section) {
+  return std::numbers::pi * releases(section).of(factors);
+}
+
+bool pressed(const Factors& f, double thickness) {
+  return f.N1 < 0 && std::abs(f.K1) <= -thickness / 6 * f.N1;
+}
+
+double size_of(const Factors& f, double thickness) {
+  return std::hypot(std::hypot(f.K1, f.K2, f.K3 * thickness), thickness / 6 * std::hypot(f.N1, f.N2));
+}
+
+namespace {
+
+/// The angle of the largest tension across [rad].
+double tension_angle(const Factors& f) {
+  return f.K2 == 0 ? 0 : largest([&](double angle) { return kinked(f, angle).K1; });
+}
+
+}  // namespace
+
+int governing_face(const Factors& f, double thickness) {
+  if (f.N1 == 0 && f.N2 == 0) return f.K1 < 0 ? -1 : 1;  // both faces have the same stress, with opposite signs
+  const auto tension = [&](int face) {
+    const auto stress = at_face(f, thickness, face);
+    return kinked(stress, tension_angle(stress)).K1;
+  };
+  return tension(1) >= tension(-1) ? 1 : -1;
 }
 
 double kink_angle(const Factors& f, Growth::Direction direction, const plate::Section& section) {
-  // a tip that closes on one face opens on the other: the sign of the moments does not matter
-  const Factors opening = f.K1 < 0 ? Factors{-f.K1, -f.K2, -f.K3} : f;
   switch (direction) {
     case Growth::Direction::straight:
       return 0;
     case Growth::Direction::tangential_moment:
-      return opening.K2 == 0 ? 0 : largest([&](double angle) { return kinked(opening, angle).K1; });
+      // a tip that closes on one face may open on the other
+      return tension_angle(at_face(f, section.thickness, governing_face(f, section.thickness)));
     case Growth::Direction::energy_release: {
-      const auto [bending, shear] = releases(section);
-      return opening.K2 == 0 ? 0 : largest([&](double angle) {
-        const Factors k = kinked(opening, angle);
-        return bending * (k.K1 * k.K1 + k.K2 * k.K2) + shear * k.K3 * k.K3;
-      });
+      const auto released = releases(section);
+      return f.K2 == 0 && f.N2 == 0 ? 0 : largest([&](double angle) { return released.of(kinked(f, angle)); });
     }
   }
   return 0;
@@ -69,25 +117,32 @@ double kink_angle(const Factors& f, Growth::Direction direction, const plate::Se
 double kink_error(const Factors& factors, const Factors& errors, Growth::Direction direction,
                   const plate::Section& section) {
   if (direction == Growth::Direction::straight) return 0;
-  if (!std::isfinite(errors.K1) || !std::isfinite(errors.K2) || !std::isfinite(errors.K3)) return std::numbers::pi;
+  if (!all_known(errors)) return std::numbers::pi;
   const double angle = kink_angle(factors, direction, section);
+  constexpr unsigned of_shear = 4, of_bending = 8, all = 32;  // signs of K1, K2, K3, N1, N2, one bit each
   double result = 0;
-  for (const double a : {-1, 1})
-    for (const double b : {-1, 1})
-      for (const double c : {-1, 1}) {
-        const Factors off{factors.K1 + a * errors.K1, factors.K2 + b * errors.K2, factors.K3 + c * errors.K3};
-        result = std::max(result, std::abs(kink_angle(off, direction, section) - angle));
-        if (direction == Growth::Direction::tangential_moment) break;  // K3 does not matter
-      }
+  for (unsigned signs = 0; signs < (errors.N1 == 0 && errors.N2 == 0 ? of_bending : all); ++signs) {
+    if ((signs & of_shear) && direction == Growth::Direction::tangential_moment) continue;  // K3 does not matter
+    const auto off = [&](unsigned bit, double factor, double error) {
+      return factor + ((signs & bit) ? error : -error);
+    };
+    const Factors other{.K1 = off(1, factors.K1, errors.K1),
+                        .K2 = off(2, factors.K2, errors.K2),
+                        .K3 = off(of_shear, factors.K3, errors.K3),
+                        .N1 = off(8, factors.N1, errors.N1),
+                        .N2 = off(16, factors.N2, errors.N2)};
+    result = std::max(result, std::abs(kink_angle(other, direction, section) - angle));
+  }
   return result;
 }
 
 double release_error(const Factors& factors, const Factors& errors, const plate::Section& section) {
-  if (!std::isfinite(errors.K1) || !std::isfinite(errors.K2) || !std::isfinite(errors.K3)) return INFINITY;
-  const auto [bending, shear] = releases(section);
-  const double whole = bending * (factors.K1 * factors.K1 + factors.K2 * factors.K2) + shear * factors.K3 * factors.K3;
+  if (!all_known(errors)) return INFINITY;
+  const auto [bending, shear, plane] = releases(section);
+  const double whole = releases(section).of(factors);
   const double off = bending * (std::abs(factors.K1) * errors.K1 + std::abs(factors.K2) * errors.K2) +
-                     shear * std::abs(factors.K3) * errors.K3;
+                     shear * std::abs(factors.K3) * errors.K3 +
+                     plane * (std::abs(factors.N1) * errors.N1 + std::abs(factors.N2) * errors.N2);
   return whole > 0 ? off / whole : INFINITY;
 }
 

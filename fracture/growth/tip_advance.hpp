@@ -5,15 +5,29 @@
 
 namespace fracture {
 
-/// Moment and shear intensity factors of a tip.
+/// Intensity factors of a tip: of moments and the shear force, and of membrane forces where loads act in the plane.
 struct Factors {
   double K1, K2, K3;
+  double N1 = 0, N2 = 0;
 };
 
 /// Factors at the tip of a short piece that leaves a tip at `angle` (counter-clockwise), to the first order of its
-/// length: those of the moment M_tt and M_tr and of the shear force Q_t on the line ahead under that angle (theory.md,
-/// "Growth").
+/// length: those of the moment M_tt and M_tr, of the shear force Q_t and of the membrane forces N_tt and N_tr on the
+/// line ahead under that angle (theory.md, "Growth").
 Factors kinked(const Factors& factors, double angle);
+
+/// Energy release rate of an isotropic plate by its factors, of bending and in the plane together [force]
+/// (theory.md, "Growth").
+double energy_release(const Factors& factors, const plate::Section& section);
+
+/// The face of the plate at which the largest tension across a tip is larger: 1 is z = h/2, -1 is z = -h/2.
+int governing_face(const Factors& factors, double thickness);
+
+/// True where the crack opens at neither face of the plate: loads in the plane press its faces together.
+bool pressed(const Factors& factors, double thickness);
+
+/// Size of factors, those in the plane as the moments with the same stress at a face [force length^(1/2)].
+double size_of(const Factors& factors, double thickness);
 
 /// The angle in which a tip goes on [rad, counter-clockwise], in [-pi/2, pi/2].
 double kink_angle(const Factors& factors, Growth::Direction direction, const plate::Section& section);

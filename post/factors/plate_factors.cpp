@@ -16,6 +16,7 @@
 #include "plate/model/loads.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/stretching.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/tip_integrals.hpp"
@@ -376,6 +377,16 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   add_errors_of_other_tips(result, plate::largest_of(plate, largest_of_tips(result, thickness)), thickness);
   std::vector<double> largest;
   mark_lost(result, thickness, largest);
+  return result;
+}
+
+std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std::vector<geometry::Tip>& tips) {
+  const double scale = found.largest_force() * std::sqrt(found.length());
+  std::vector<ClosedTip> result;
+  for (const auto& tip : tips) {
+    const auto* next = found.next_to(tip.position);
+    result.push_back({next && next->force_above > 0, next && next->force_below > 0, scale});
+  }
   return result;
 }
 

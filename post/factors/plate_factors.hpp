@@ -9,6 +9,7 @@ class Formulation;
 struct Heat;
 struct Stretch;
 struct Problem;
+struct TouchingFaces;
 }  // namespace plate
 
 /// The intensity factors of a plate's tips.
@@ -49,6 +50,9 @@ std::optional<TipMethods> tip_methods(std::shared_ptr<const TipView> view, const
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings = true,
                         const plate::Heat* heat = nullptr, const plate::Stretch* stretch = nullptr);
+
+/// Faces of the plate at which cracks are closed next to every tip.
+std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std::vector<geometry::Tip>& tips);
 
 /// Messages about the methods that are missing at tips, and why.
 std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods);

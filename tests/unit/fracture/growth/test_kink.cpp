@@ -75,10 +75,60 @@ TEST_CASE("turn: made where it exceeds its error, left away where it does not, r
   CHECK(turn({-1, 0.1, 0}, {0.01, 0.01, 0.5}).error == Approx(sure.error));
 }
 
+TEST_CASE("kink: membrane forces turn a tip as moments do") {
+  for (const auto direction : {Direction::tangential_moment, Direction::energy_release})
+    for (const double second : {-2.0, -0.3, 0.1, 1.0})
+      CHECK(kink_angle({.K1 = 0, .K2 = 0, .K3 = 0, .N1 = 1, .N2 = second}, direction, section) ==
+            Approx(kink_angle({1, second, 0}, direction, section)));
+  // a crack at 45 degrees to the tension (Erdogan and Sih 1963)
+  CHECK(kink_angle({.K1 = 0, .K2 = 0, .K3 = 0, .N1 = 1, .N2 = 1}, Direction::tangential_moment, section) ==
+        Approx(-2 * std::atan(0.5)));  // -53.13 degrees
+}
+
+TEST_CASE("kink: the face with the larger tension across turns the tip") {
+  const double arm = section.thickness / 6;
+  const Factors opens_above{.K1 = 0.5 * arm, .K2 = 0.2 * arm, .K3 = 0, .N1 = 1, .N2 = 0};
+  const Factors opens_below{.K1 = -0.5 * arm, .K2 = -0.2 * arm, .K3 = 0, .N1 = 1, .N2 = 0};
+  CHECK(governing_face(opens_above, section.thickness) == 1);
+  CHECK(governing_face(opens_below, section.thickness) == -1);
+  CHECK(governing_face({1, 0.3, 0}, section.thickness) == 1);
+  CHECK(governing_face({-1, 0.3, 0}, section.thickness) == -1);
+  const double angle = kink_angle({1.5, 0.2, 0}, Direction::tangential_moment, section);
+  for (const auto& K : {opens_above, opens_below})
+    CHECK(kink_angle(K, Direction::tangential_moment, section) == Approx(angle));
+  CHECK(pressed({.K1 = 0, .K2 = 1, .K3 = 1, .N1 = -1, .N2 = 1}, section.thickness));
+  CHECK(pressed({.K1 = 0.9 * arm, .K2 = 0, .K3 = 0, .N1 = -1, .N2 = 0}, section.thickness));
+  CHECK_FALSE(pressed({.K1 = -1.1 * arm, .K2 = 0, .K3 = 0, .N1 = -1, .N2 = 0}, section.thickness));
+  CHECK_FALSE(pressed({.K1 = -1, .K2 = 0, .K3 = 0, .N1 = 0, .N2 = 0}, section.thickness));
+  CHECK_FALSE(pressed({0, 0, 0}, section.thickness));
+}
+
+TEST_CASE("energy release: bending and membrane forces add up, whatever their modes") {
+  const double h = section.thickness, pi = std::numbers::pi;
+  const double membrane = pi / (section.young * h), bending = 12 * pi / (section.young * h * h * h);
+  const double shear = pi * (1 + section.poisson) / (section.shear_correction * section.young * h);
+  CHECK(energy_release({2, 3, 5}, section) == Approx(bending * 13 + shear * 25));
+  CHECK(energy_release({.K1 = 2, .K2 = 3, .K3 = 5, .N1 = -7, .N2 = 11}, section) ==
+        Approx(bending * 13 + shear * 25 + membrane * 170));
+}
+
+TEST_CASE("turn: errors of membrane factors count") {
+  const auto turn = [](double error) {
+    return turn_of({.K1 = 0, .K2 = 0, .K3 = 0, .N1 = 1, .N2 = -0.1},
+                   {.K1 = 0, .K2 = 0, .K3 = 0, .N1 = 0.01, .N2 = error}, Direction::tangential_moment, section);
+  };
+  CHECK(turn(0.01).error == Approx(0.02).epsilon(0.2));  // twice the error of N2 / N1
+  CHECK(turn(0.01).angle > 0);
+  CHECK(turn(0.12).angle == 0);
+  CHECK_FALSE(turn(INFINITY).known());
+}
+
 TEST_CASE("release error: that of the factors that hold the energy") {
   CHECK(release_error({2, 0, 0}, {0.1, 9, 9}, section) == Approx(0.05));
   CHECK(release_error({0, -4, 0}, {9, 0.1, 9}, section) == Approx(0.025));
   CHECK(release_error({0, 0, 5}, {9, 9, 0.1}, section) == Approx(0.02));
+  const Factors tension{.K1 = 0, .K2 = 0, .K3 = 0, .N1 = 2, .N2 = 0};
+  CHECK(release_error(tension, {.K1 = 9, .K2 = 9, .K3 = 9, .N1 = 0.1, .N2 = 9}, section) == Approx(0.05));
   CHECK(std::isinf(release_error({1, 0, 0}, {INFINITY, 0, 0}, section)));
   CHECK(std::isinf(release_error({0, 0, 0}, {1, 1, 1}, section)));
 }

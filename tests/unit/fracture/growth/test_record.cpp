@@ -18,6 +18,17 @@ TEST_CASE("record: what a growth does not have stays empty, and each row has a c
   CHECK(record.tips.rows[0][record.tips.column("G")] == post::Cell());
 }
 
+TEST_CASE("record: tips have membrane factors where loads act in the plane") {
+  fracture::Record record;
+  record.acts_in_plane();
+  record.add({.advance = 1, .N1 = 2.0, .face = "z<0"});
+  record.add(fracture::TipRow{2});
+  for (const auto& row : record.tips.rows) CHECK(row.size() == record.tips.columns.size());
+  CHECK(record.tips.rows[0][record.tips.column("N1")] == post::Cell(2.0));
+  CHECK(record.tips.rows[0][record.tips.column("face")] == post::Cell("z<0"));
+  CHECK(record.tips.rows[1][record.tips.column("N2")] == post::Cell());
+}
+
 TEST_CASE("record: vertices of cracks by advance, or by time in motion") {
   fracture::Record record;
   record.cracks.lines = {{{{0, 0}, {1, 0}}, {0, 4}}};
