@@ -75,7 +75,7 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
     {plate::Feature::in_plane, "loads in the plane"},
     {plate::Feature::stretching,
-     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
+     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion, growth and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
 }};
 

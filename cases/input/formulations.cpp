@@ -78,6 +78,7 @@ void add_stretching(const Case& content, std::vector<Asked>& found) {
   if (content.analysis.kind == Analysis::Kind::frequencies)
     add("frequencies under loads in the plane", "analysis.kind");
   if (content.moves()) add("motion under loads in the plane", "analysis.kind");
+  if (content.growth && !content.growth->by_bonds()) add("growth under loads in the plane", "growth");
 }
 
 void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {

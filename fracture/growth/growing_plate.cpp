@@ -151,7 +151,7 @@ plate::Discretised GrowingPlate::discretised(const std::vector<geometry::Polylin
   }
 }
 
-/// What supports do not hold any more, of the plate or in its plane; empty where all is held.
+/// Describes what supports do not hold any more, across the plate or in its plane; empty where all is held.
 std::string GrowingPlate::split(const plate::Discretised& found) const {
   std::vector<std::string> result;
   for (const auto& one : plate::loose(*found.plate)) result.push_back(one.what);

@@ -88,7 +88,7 @@ enum class Feature {
   sections,        // that vary or have directions
   stiffeners,      // beams on the plate
   in_plane,        // loads and displacements in the plane, at rest
-  stretching,      // what couples both: large deflections, buckling; motion and frequencies under loads in the plane
+  stretching,      // what couples both: large deflections, buckling; motion, growth, frequencies under loads there
   touching_faces   // of cracks: contact
 };
 

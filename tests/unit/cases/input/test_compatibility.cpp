@@ -56,6 +56,7 @@ std::vector<Sample> samples() {
        "0.1 }"},
       {load_in_plane, {}, "{ kind = 'edge_traction', edges = ['right'], value = 1 }"},
       {large_deflections, {{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}}},
+      {touching_faces, {{"cracks.contact", "true"}, {"discretization.formulation", "galerkin"}}},
       {buckling,
        {{"analysis.kind", "buckling"}, {"discretization.formulation", "galerkin"}},
        "{ kind = 'edge_traction', edges = ['right'], value = 1 }"},
