@@ -135,6 +135,9 @@ void check_tips(const Case& content, Reading& reading) {
   if (content.faces_touch() && content.cracks.empty())
     reading.report_error("cracks.contact",
                          "there is no crack whose faces could touch: remove it, or give geometry.cracks");
+  if (content.faces_touch() && !content.section.plies.empty())
+    reading.report_error("cracks.contact",
+                         "factors of closed cracks are known for one material, not for plies: remove it");
   if (!content.srif || !reading.sound("geometry") || (content.growth && content.growth->by_bonds())) return;
   const auto paths = plate::crack_paths(content);
   if (geometry::tips(paths).empty())

@@ -13,6 +13,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
@@ -129,9 +130,12 @@ void SinglePlate::solve_static() {
   stopwatch().lap("second_formulation");
   summary.multipliers = plate_.multipliers(solution.state);
   summary.energy = {{"strain", results_.strain_energy()}, {"external_work", results_.external_work()}};
-  if (content().faces_touch()) summary.energy.insert(summary.energy.begin() + 1, {"stretching", beside.strain_energy});
+  if (content().faces_touch())
+    summary.energy.insert(summary.energy.begin() + 1,
+                          {{"bending", strain - beside.strain_energy}, {"stretching", beside.strain_energy}});
   add_elastic_support_energy(plate_, solution.state, summary);
-  if (!ready_.membrane && !post::moves(solution.state, work, plate_))
+  if ((!ready_.membrane || (content().faces_touch() && !plate::loaded_in_plane(content()))) &&
+      !post::moves(solution.state, work, plate_))
     post::require_motion(plate_, post::forces_of(plate_), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,

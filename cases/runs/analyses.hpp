@@ -27,7 +27,8 @@ struct ValidatedPlate {
   };
   plate::Stopwatch stopwatch;
   std::unique_ptr<plate::Formulation> plate;
-  std::unique_ptr<plate::Formulation> membrane;  // where loads act in the plane, or the middle plane stretches
+  std::unique_ptr<plate::Formulation>
+      membrane;  // where loads act there, the middle plane stretches, or faces of cracks touch
   std::vector<std::string> warnings;
   std::vector<post::TipMethods> tip_methods, membrane_methods;
   post::OtherFactors other_factors;

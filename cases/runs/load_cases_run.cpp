@@ -148,7 +148,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const auto when = fmt::format("in {}", one.name);
   post::require_finite(state, when, plate_);
   if (const double w = state.row(0).cwiseAbs().maxCoeff();
-      w > deepest_.deflection && !curved && plate_.offers(plate::Feature::in_plane))
+      w > deepest_.deflection && !curved && plate_.offers(plate::Feature::stretching))
     deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
   std::optional<MembraneResult> in_plane;
   if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
@@ -267,7 +267,7 @@ std::vector<std::string> LoadCases::warnings() const {
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
     tell(one.name, said);
     if (!ready_.membrane) continue;
-    tell(one.name, warnings_about_overlaps(one.srif));
+    tell(one.name, warnings_about_overlaps(one.srif, false));
     const auto in_plane = of_loaded_tips(factors_in_plane_[i], stretched, h);
     auto of_factors = post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy());
     std::ranges::transform(of_factors, of_factors.begin(), of_plane);
@@ -493,7 +493,13 @@ void LoadCases::finish() {
   if (!summary.load_steps.rows.empty()) recorder.table("load_steps", summary.load_steps);
   const auto said = warnings();
   summary.load_cases = std::move(found_);
-  post::conclude(summary, {section, content().srif, content().si(), recorder.history(), {}, {}});
+  post::conclude(summary, {.section = section,
+                           .options = content().srif,
+                           .si = content().si(),
+                           .history = recorder.history(),
+                           .reactions = {},
+                           .factors = {},
+                           .stretches = content().stretches});
   outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
   for (const auto& line : post::left_out(plate_.tips(), ready_.membrane_methods)) outputs_.warn({of_plane(line)});
   outputs_.warn(said);

@@ -174,13 +174,13 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
   ContactResult result{
       .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
       .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
-      .faces = {{"x", "y", "length", "opening_above", "opening_below", "pressure_above", "pressure_below"}, {}},
+      .faces = {{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}},
       .closed = post::closed_tips(found, plate.tips()),
       .factor_bytes = found.factor_bytes};
   result.in_plane.summary.residual = residual;
   for (const auto& at : found.faces)
-    result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_above, at.opening_below,
-                                 at.force_above, at.force_below});
+    result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_top, at.opening_bottom,
+                                 at.force_top, at.force_bottom});
   return result;
 }
 
@@ -242,14 +242,15 @@ std::vector<std::string> warnings_about_rotations(double largest) {
                       moderate)};
 }
 
-std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs) {
+std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch) {
   std::vector<std::string> result;
   for (const auto* one : post::recommended(srifs)) {
     const auto where = post::overlap(*one);
     if (where != post::Overlap::above && where != post::Overlap::both) continue;
-    result.push_back(fmt::format(
-        "tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}; set cracks.contact = true", one->tip,
-        one->position.x(), one->position.y(), where == post::Overlap::both ? "all over the thickness" : "at z > 0"));
+    result.push_back(fmt::format("tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}{}", one->tip,
+                                 one->position.x(), one->position.y(),
+                                 where == post::Overlap::both ? "all over the thickness" : "at z > 0",
+                                 may_touch ? "; set cracks.contact = true" : ", as contact is not modelled"));
   }
   return result;
 }

@@ -116,6 +116,7 @@ std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& 
 std::vector<std::string> warnings_about_rotations(double largest);
 
 /// Warnings about tips at which the faces of the crack overlap at z > 0, by bending and membrane forces together.
-std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs);
+/// `may_touch`: the run could find their contact.
+std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch);
 
 }  // namespace cases

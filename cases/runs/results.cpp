@@ -222,7 +222,9 @@ void Results::finish() {
     outputs_.warn(in_plane_->warnings);
     if (!content().faces_touch()) {
       outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
-      outputs_.warn(warnings_about_overlaps(summary.srif));
+      const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ &&
+                             !content().analysis.nonlinear && plate_.offers(plate::Feature::touching_faces);
+      outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }
   }
   outputs_.warn(post::warnings_about_faces(overlaps, section,

@@ -249,7 +249,7 @@ void GrowingPlate::add_in_plane(Solved& solved, const std::vector<post::ClosedTi
   if (closed.empty()) return;
   post::close(srifs, closed, problem_.section);
   for (auto& srif : srifs)
-    if (const auto& tip = closed[srif.tip]; tip.above && tip.below && srif.G) slide(srif, tip, problem_.section);
+    if (const auto& tip = closed[srif.tip]; tip.top && tip.bottom && srif.G) slide(srif, tip, problem_.section);
 }
 
 double GrowingPlate::Solved::work() const {

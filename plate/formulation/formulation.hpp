@@ -58,9 +58,20 @@ struct StartOfCracks {
 
 /// Two points of a plate that face each other on a crack, one on each face.
 struct FacePair {
-  std::uint32_t above = 0, below = 0;
-  geometry::Point normal{0, 0};  // of the crack, from below to above
+  std::uint32_t left = 0, right = 0;
+  geometry::Point normal{0, 0};  // of the crack, from right to left
   double length = 0;             // of the crack that they stand for [length]
+
+  /// Displacement (u, v) of a point in the plane along the normal; of a plate that bends that of the fibre at z = 1.
+  double across(const PointValues& values) const { return normal.x() * values[2] - normal.y() * values[1]; }
+  double opening(const State& state) const { return across(state.col(left)) - across(state.col(right)); }
+  /// Half the difference of the forces on both points along the normal: what presses them apart.
+  double pressing(const Forces& forces) const { return opening(forces) / 2; }
+  /// Adds forces that press both points apart.
+  void press(double force, Forces& forces) const {
+    const PointValues apart(0, -force * normal.y(), force * normal.x());
+    forces.col(left) += apart, forces.col(right) -= apart;
+  }
 };
 
 /// Internal force in single precision.

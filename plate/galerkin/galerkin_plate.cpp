@@ -59,23 +59,27 @@ std::vector<FacePair> facing_points(const geometry::Tessellation& cells) {
     return {a.x(), a.y(), b.x(), b.y()};
   };
   std::map<Ends, const geometry::Tessellation::Border*> faces;
+  std::size_t matched = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, FacePair> found;  // by the points
   for (const auto& face : cells.borders) {
     if (face.edge >= 0) continue;
     const auto other = faces.find(ends(face.to, face.from));
     faces.emplace(ends(face.from, face.to), &face);
     if (other == faces.end()) continue;
+    ++matched;
     const Point side = cells.local[face.to] - cells.local[face.from];
-    const auto take = [&](std::uint32_t above, std::uint32_t below) {
-      if (above == below) return;
-      const double sign = above < below ? 1 : -1;
-      auto& pair = found[std::minmax(above, below)];
-      pair.above = std::min(above, below), pair.below = std::max(above, below);
+    const auto take = [&](std::uint32_t left, std::uint32_t right) {
+      if (left == right) return;
+      const double sign = left < right ? 1 : -1;
+      auto& pair = found[std::minmax(left, right)];
+      pair.left = std::min(left, right), pair.right = std::max(left, right);
       pair.normal += sign / 2 * Point(-side.y(), side.x());
       pair.length += side.norm() / 2;
     };
     take(face.from, other->second->to), take(face.to, other->second->from);
   }
+  if (faces.size() != 2 * matched)
+    throw NumericalError("contact of crack faces: points of both faces do not lie at the same places: move the crack");
   std::vector<FacePair> result;
   for (auto& [points, pair] : found) pair.normal.normalize(), result.push_back(pair);
   return result;

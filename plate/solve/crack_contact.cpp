@@ -14,20 +14,9 @@
 namespace plate {
 namespace {
 
-/// Displacement (u, v) of a plate in its plane along a direction; of bending that of the fibre at z = 1.
-double along(const geometry::Point& direction, const PointValues& values) {
-  return direction.x() * values[2] - direction.y() * values[1];
-}
-
-/// Opening of a crack between two points of its faces.
-double opening(const FacePair& pair, const State& state) {
-  return along(pair.normal, state.col(pair.above)) - along(pair.normal, state.col(pair.below));
-}
-
-/// Adds the forces that press two points apart.
-void press(const FacePair& pair, double force, Forces& forces) {
-  const PointValues apart(0, -force * pair.normal.y(), force * pair.normal.x());
-  forces.col(pair.above) += apart, forces.col(pair.below) -= apart;
+/// The largest displacement in the plane; of bending that of the fibre at z = 1.
+double largest_motion(const State& state) {
+  return state.bottomRows(2).colwise().norm().maxCoeff();
 }
 
 /// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
@@ -38,11 +27,11 @@ Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, const AssembledPl
   for (std::size_t first = 0; first < count; first += at_once) {
     std::vector<Forces> loads;
     for (auto i = first; i < std::min(count, first + at_once); ++i)
-      press(pairs[i], 1, loads.emplace_back(zero_forces(points)));
+      pairs[i].press(1, loads.emplace_back(zero_forces(points)));
     const auto states = plate.solve(loads);
     for (std::size_t i = 0; i < states.size(); ++i)
       for (std::size_t j = 0; j < count; ++j)
-        result(Eigen::Index(j), Eigen::Index(first + i)) = opening(pairs[j], states[i]);
+        result(Eigen::Index(j), Eigen::Index(first + i)) = pairs[j].opening(states[i]);
   }
   return (result + result.transpose()) / 2;
 }
@@ -61,7 +50,10 @@ struct Complementarity {
     for (int left = tries;; ++iterations) {
       const auto wrong = wrong_ones(C.diagonal(), c);
       if (wrong.empty()) return;
-      if (iterations == most) throw NumericalError("contact of crack faces: the search for what touches does not end");
+      if (iterations == most)
+        throw NumericalError(
+            "contact of crack faces: the search for what touches does not end: take a finer spacing, or remove "
+            "cracks.contact");
       if (wrong.size() < fewest)
         fewest = wrong.size(), left = tries;
       else
@@ -96,7 +88,9 @@ private:
       const Eigen::MatrixXd of_active = C(active, active);
       const Eigen::LLT<Eigen::MatrixXd> factor(of_active);
       if (factor.info() != Eigen::Success)
-        throw NumericalError("contact of crack faces: openings do not follow from the forces that press on them");
+        throw NumericalError(
+            "contact of crack faces: openings do not follow from the forces on them: take a finer spacing, or remove "
+            "cracks.contact");
       const Eigen::VectorXd forces = factor.solve(-c(active));
       x(active) = forces;
     }
@@ -115,13 +109,13 @@ std::vector<FacePair> Formulation::face_pairs() const {
 
 double TouchingFaces::least_opening() const {
   double result = INFINITY;
-  for (const auto& one : faces) result = std::min({result, one.opening_above, one.opening_below});
+  for (const auto& one : faces) result = std::min({result, one.opening_top, one.opening_bottom});
   return result;
 }
 
 double TouchingFaces::largest_force() const {
   double result = 0;
-  for (const auto& one : faces) result = std::max({result, one.force_above, one.force_below});
+  for (const auto& one : faces) result = std::max({result, one.force_top, one.force_bottom});
   return result;
 }
 
@@ -140,7 +134,7 @@ double TouchingFaces::length() const {
 double TouchingFaces::closed_share() const {
   double closed = 0;
   for (const auto& one : faces)
-    if (one.force_above > 0 || one.force_below > 0) closed += one.length;
+    if (one.force_top > 0 || one.force_bottom > 0) closed += one.length;
   return faces.empty() ? 0 : closed / length();
 }
 
@@ -154,16 +148,22 @@ TouchingFaces touching_faces(const Formulation& plate, const Formulation& membra
   const auto of_bending = compliance(pairs, bent, plate.points());
   const auto of_plane = compliance(pairs, flat, plate.points());
 
-  Eigen::VectorXd arm(count), openings(2 * count);  // above first
+  Eigen::VectorXd arm(count), openings(2 * count);  // top first
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& pair = pairs[std::size_t(i)];
-    arm[i] = plate.sections()[pair.above].thickness / 2;
-    const double slope = arm[i] * opening(pair, free.bending), middle = opening(pair, free.membrane);
+    arm[i] = std::min(plate.sections()[pair.left].thickness, plate.sections()[pair.right].thickness) / 2;
+    const double slope = arm[i] * pair.opening(free.bending), middle = pair.opening(free.membrane);
     openings[i] = middle + slope, openings[count + i] = middle - slope;
   }
   const Eigen::MatrixXd turned = arm.asDiagonal() * of_bending * arm.asDiagonal();
   Eigen::MatrixXd both(2 * count, 2 * count);
   both << of_plane + turned, of_plane - turned, of_plane - turned, of_plane + turned;
+  // what supports hold has no compliance: faces that cannot turn, or cannot move, share a force evenly
+  constexpr double no_compliance = 1e-10;
+  both.diagonal().array() += no_compliance * both.diagonal().maxCoeff();
+  constexpr double no_opening = 1e-8;  // of the largest motion: errors of the free equilibria
+  const double motion = largest_motion(free.membrane) + arm.maxCoeff() * largest_motion(free.bending);
+  openings = (openings.array().abs() > no_opening * motion).select(openings, 0);
   const Complementarity found(both, openings);
 
   TouchingFaces result;
@@ -173,15 +173,15 @@ TouchingFaces touching_faces(const Formulation& plate, const Formulation& membra
   Forces on_bending = zero_forces(plate.points()), on_plane = zero_forces(plate.points());
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& pair = pairs[std::size_t(i)];
-    const double above = found.x[i], below = found.x[count + i];
-    press(pair, above + below, on_plane);
-    if (std::abs(above - below) > rounding * most) press(pair, arm[i] * (above - below), on_bending);
-    result.faces.push_back({.position = plate.cloud().positions[pair.above],
+    const double top = found.x[i], bottom = found.x[count + i];
+    pair.press(top + bottom, on_plane);
+    if (std::abs(top - bottom) > rounding * most) pair.press(arm[i] * (top - bottom), on_bending);
+    result.faces.push_back({.position = plate.cloud().positions[pair.left],
                             .length = pair.length,
-                            .opening_above = found.rest[i],
-                            .opening_below = found.rest[count + i],
-                            .force_above = above / pair.length,
-                            .force_below = below / pair.length});
+                            .opening_top = found.rest[i],
+                            .opening_bottom = found.rest[count + i],
+                            .force_top = top / pair.length,
+                            .force_bottom = bottom / pair.length});
   }
   result.bending = bent.solve({on_bending}).front();
   plate.constraints().impose(result.bending);

@@ -6,12 +6,12 @@
 
 namespace plate {
 
-/// Opening and contact force of two points that face each other on a crack. Above is z > 0.
+/// Opening and contact force of two points that face each other on a crack. Top is z = h/2.
 struct FaceContact {
   geometry::Point position;
-  double length;                        // of the crack that they stand for [length]
-  double opening_above, opening_below;  // of the crack at both faces of the plate [length]
-  double force_above, force_below;      // that presses there, along the crack [force/length]
+  double length;                       // of the crack that they stand for [length]
+  double opening_top, opening_bottom;  // of the crack at both faces of the plate [length]
+  double force_top, force_bottom;      // that presses there, along the crack [force/length]
 };
 
 /// Linear equilibrium of a plate and of the same plate in its plane, of which the faces of cracks touch without

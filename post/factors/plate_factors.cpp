@@ -132,7 +132,8 @@ double widest_ring(const plate::Problem& c, double wider) {
 }
 
 std::optional<double> tip_spacing_for(const plate::Problem& problem) {
-  constexpr double thick = 12, far = 24;  // spacings: enough for the points of a lattice
+  constexpr double far = 24;  // spacings: enough for the points of a lattice, as `thick` is
+  const double thick = problem.faces_touch() ? 48 : 12;
   const double of_layer = problem.faces_touch() ? 1.0 / 24 : 1.0 / 6;
   constexpr double of_clear = 1.0 / 32;
   constexpr double least = 1.0 / 256;  // of the spacing
@@ -251,27 +252,27 @@ plate::Forces forces_on(const plate::Formulation& plate, const plate::State& sta
 /// Pairs of points on the straight part of a crack behind its tip, the nearest first.
 class FacesBehind {
 public:
-  FacesBehind(const plate::Formulation& plate, const geometry::Tip& tip) {
-    for (const auto& pair : plate.face_pairs()) {
-      const geometry::Point x = plate.cloud().positions[pair.above] - tip.position;
+  FacesBehind(const std::vector<plate::FacePair>& pairs, const plate::Formulation& plate, const geometry::Tip& tip) {
+    for (const auto& pair : pairs) {
+      const geometry::Point x = plate.cloud().positions[pair.left] - tip.position;
       const double behind = -tip.direction.dot(x);
       if (behind > 0 && behind > (1 - 1e-6) * x.norm()) pairs_.push_back({behind, pair});
     }
     std::ranges::sort(pairs_, {}, &std::pair<double, plate::FacePair>::first);
   }
 
-  /// Force that presses the faces apart at the tip, along the crack: by the line that fits the forces within `near`
-  /// best [force/length]; of a plate that bends couples.
+  /// Force that presses the faces apart at the tip, along the crack: by the line that fits the forces of the nearest
+  /// pairs best, all within `near` and two at least [force/length]; of a plate that bends couples.
   double pressure(const plate::Forces& force, double near) const {
     Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
     Eigen::Vector2d forces = Eigen::Vector2d::Zero();
-    for (const auto& [behind, pair] : pairs_) {
-      if (behind > near) break;
+    for (std::size_t i = 0; i < pairs_.size() && (i < 2 || pairs_[i].first <= near); ++i) {
+      const auto& [behind, pair] = pairs_[i];
       const Eigen::Vector2d line(1, behind);
       sums += pair.length * line * line.transpose();
-      forces += line * apart(pair, force);
+      forces -= line * pair.pressing(force);
     }
-    return sums(0, 0) > 0 ? sums.completeOrthogonalDecomposition().solve(forces)[0] : 0;
+    return pairs_.empty() ? 0 : sums.completeOrthogonalDecomposition().solve(forces)[0];
   }
 
   /// Takes the forces that press the faces apart away. Returns the work that they do per length by which the tip moves
@@ -281,30 +282,20 @@ public:
     Eigen::VectorXd result = Eigen::VectorXd::Zero(force.cols());
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto& pair = pairs_[i].second;
-      const double pressing = apart(pair, force);
-      force.col(pair.above) += along(pair, pressing), force.col(pair.below) -= along(pair, pressing);
+      const double pressing = -pair.pressing(force);  // internal forces are minus those from outside
+      pair.press(pressing, force);
       if (i + 1 == pairs_.size()) continue;  // the mouth, or the other tip: far outside of rings
-      const auto before = i == 0 ? std::pair(0.0, 0.0) : std::pair(pairs_[i - 1].first, opening(i - 1, state));
-      const double slope = (opening(i + 1, state) - before.second) / (pairs_[i + 1].first - before.first);
-      result[pair.above] += pressing * slope;  // openings grow backwards
+      const auto [before, opening] = i == 0 ? std::pair(0.0, 0.0) : at(i - 1, state);
+      const auto [after, wider] = at(i + 1, state);
+      result[pair.left] += pressing * (wider - opening) / (after - before);  // openings grow backwards
     }
     return result;
   }
 
 private:
-  /// The force that presses a pair apart: half the difference of the forces on its points along the normal.
-  static double apart(const plate::FacePair& pair, const plate::Forces& force) {
-    return -along(pair, plate::PointValues(force.col(pair.above) - force.col(pair.below))) / 2;
-  }
-  static double along(const plate::FacePair& pair, const plate::PointValues& values) {
-    return pair.normal.x() * values[2] - pair.normal.y() * values[1];
-  }
-  static plate::PointValues along(const plate::FacePair& pair, double size) {
-    return {0, -size * pair.normal.y(), size * pair.normal.x()};
-  }
-  double opening(std::size_t i, const plate::State& state) const {
-    const auto& pair = pairs_[i].second;
-    return along(pair, plate::PointValues(state.col(pair.above) - state.col(pair.below)));
+  /// Distance from the tip and opening of a pair.
+  std::pair<double, double> at(std::size_t i, const plate::State& state) const {
+    return {pairs_[i].first, pairs_[i].second.opening(state)};
   }
 
   std::vector<std::pair<double, plate::FacePair>> pairs_;  // with their distances from the tip
@@ -342,7 +333,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
     return force;
   };
   const auto of_tip = [&](std::size_t tip, const plate::State& at, const plate::Forces& force,
-                          const Eigen::VectorXd* on_faces = nullptr) {
+                          const Eigen::VectorXd* on_faces) {
     return heated ? of_heated(plate, methods[tip], plate.tips()[tip], at, force, *heat, all_rings, on_faces)
                   : methods[tip](at, force, all_rings, {stretch ? &stretch->strains : nullptr, on_faces});
   };
@@ -351,20 +342,21 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
       touching || std::ranges::any_of(methods, [](const auto& tip) { return tip.needs_force(); }))
     force = forces(state);
   std::vector<std::vector<Srif>> by_tip(methods.size());
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t tip = 0; tip < methods.size(); ++tip) {
-    if (!methods[tip].here()) continue;
-    if (!touching) {
-      by_tip[tip] = of_tip(tip, state, force);
-      continue;
+  if (touching) {  // each tip needs forces of a state of its own, which all threads find together
+    const auto pairs = plate.face_pairs();
+    for (std::size_t tip = 0; tip < methods.size(); ++tip) {
+      const auto& at = plate.tips()[tip];
+      const FacesBehind faces(pairs, plate, at);
+      const double near = std::min(clear_distance(plate.problem(), plate.paths(), at) / 4, 2 * plate.section().layer());
+      const auto rest = eased(plate, at, state, faces.pressure(force, near));
+      auto of_rest = forces(rest);
+      const auto on_faces = faces.take(rest, of_rest);
+      by_tip[tip] = of_tip(tip, rest, of_rest, &on_faces);
     }
-    const FacesBehind faces(plate, plate.tips()[tip]);
-    const double near =
-        std::min(clear_distance(plate.problem(), plate.paths(), plate.tips()[tip]) / 4, 2 * plate.section().layer());
-    const auto rest = eased(plate, plate.tips()[tip], state, faces.pressure(force, near));
-    auto of_rest = forces(rest);
-    const auto on_faces = faces.take(rest, of_rest);
-    by_tip[tip] = of_tip(tip, rest, of_rest, &on_faces);
+  } else {
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t tip = 0; tip < methods.size(); ++tip)
+      if (methods[tip].here()) by_tip[tip] = of_tip(tip, state, force, nullptr);
   }
   std::vector<Srif> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip)
@@ -385,7 +377,7 @@ std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std:
   std::vector<ClosedTip> result;
   for (const auto& tip : tips) {
     const auto* next = found.next_to(tip.position);
-    result.push_back({next && next->force_above > 0, next && next->force_below > 0, scale});
+    result.push_back({next && next->force_top > 0, next && next->force_bottom > 0, scale});
   }
   return result;
 }

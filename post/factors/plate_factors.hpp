@@ -24,9 +24,9 @@ double least_clear_distance(const plate::Problem& problem, const std::vector<geo
                             const std::vector<geometry::Tip>& tips);
 
 /// The spacing at the tips that intensity factors need where the points of a plate are too far apart for them: a sixth
-/// of the layer beside the faces where the plate is thinner than 12 spacings (a 24th where faces of cracks touch), a
-/// 32nd of the clear distance where that is below 24 spacings, at least a 256th of the spacing [length]. Absent where
-/// its points serve.
+/// of the layer beside the faces where the plate is thinner than 12 spacings (a 24th and 48 where faces of cracks
+/// touch), a 32nd of the clear distance where that is below 24 spacings, at least a 256th of the spacing [length].
+/// Absent where its points serve.
 std::optional<double> tip_spacing_for(const plate::Problem& problem);
 
 /// True where a ring of points fits about the tip, as every energy release rate needs.

@@ -126,28 +126,31 @@ void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane,
 
 void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const plate::Section& section) {
   constexpr double rounding = 1e-4;
-  if (!section.plies.empty()) return;
   for (auto& srif : srifs) {
-    const auto& [above, below, scale] = tips[srif.tip];
-    if ((!above && !below) || !srif.membrane) continue;
+    const auto& [top, bottom, scale] = tips[srif.tip];
+    if ((!top && !bottom) || !srif.membrane) continue;
     auto& plane = *srif.membrane;
-    const double arm = plane.thickness / 6, least = rounding * arm * scale;  // N1 times the arm is |K1|
-    if (largest_factor(srif, plane.thickness) <= least) {
+    const double h = plane.thickness, arm = h / 6, least = rounding * arm * scale;  // N1 times the arm is |K1|
+    if (largest_factor(srif, h) <= least) {
       srif.K1 = srif.K2 = srif.K3 = 0;
       srif.errors = {0, 0, 0}, srif.resolved = {true, true, true}, srif.estimated_error = 0;
     }
     if (!srif.resolved[0] || !plane.resolved[0]) continue;
     const double N = arm * plane.N[0], shared = std::sqrt((srif.K1 * srif.K1 + 3 * N * N) / 4);
-    const double K = (above && below) || shared <= least ? 0 : shared, signed_K = K > 0 && above ? -K : K;
-    const auto error = [&](double value, const std::optional<double>& estimated, double unit) {
-      return std::max(estimated.value_or(0) * unit, std::abs(std::abs(value) - K));
-    };
-    const double most =
-        shared <= least ? 0 : std::max(error(srif.K1, srif.errors[0], 1), error(N, plane.errors[0], arm));
+    const bool none = shared <= least;
+    const double K = (top && bottom) || none ? 0 : shared, signed_K = K > 0 && top ? -K : K;
+    const double most = none ? 0
+                             : std::max({srif.errors[0].value_or(0), plane.errors[0].value_or(0) * arm,
+                                         std::abs(srif.K1 - signed_K), std::abs(N - K)});
+    if (section.isotropic()) {  // energies of what has changed
+      const double unit = 12 * std::numbers::pi / (section.at(srif.position).young * std::pow(h, 3));
+      if (srif.G) *srif.G = std::max(0.0, *srif.G + unit * (K * K - srif.K1 * srif.K1));
+      if (plane.G) *plane.G = std::max(0.0, *plane.G + 3 * unit * (K * K - N * N));
+    }
     if (srif.F1 && srif.K1 != 0) *srif.F1 *= signed_K / srif.K1;
     srif.K1 = signed_K, srif.errors[0] = most;
     plane.N[0] = K / arm, plane.errors[0] = most / arm;
-    if (const double largest = largest_factor(srif, plane.thickness); largest > 0)
+    if (const double largest = largest_factor(srif, h); largest > 0)
       srif.estimated_error = std::max(srif.estimated_error.value_or(0), most / largest);
   }
 }
