@@ -13,7 +13,6 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
@@ -55,6 +54,7 @@ public:
 private:
   void solve_static();
   MembraneResult touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted);
+  void tell_energies(const plate::State& state, double in_plane);
   void solve_by_lanczos();
   void solve_dynamic();
   void solve_frequencies();
@@ -129,13 +129,9 @@ void SinglePlate::solve_static() {
   compare_with_galerkin(plate_, solution.state, content(), summary.warnings);
   stopwatch().lap("second_formulation");
   summary.multipliers = plate_.multipliers(solution.state);
-  summary.energy = {{"strain", results_.strain_energy()}, {"external_work", results_.external_work()}};
-  if (content().faces_touch())
-    summary.energy.insert(summary.energy.begin() + 1,
-                          {{"bending", strain - beside.strain_energy}, {"stretching", beside.strain_energy}});
-  add_elastic_support_energy(plate_, solution.state, summary);
-  if ((!ready_.membrane || (content().faces_touch() && !plate::loaded_in_plane(content()))) &&
-      !post::moves(solution.state, work, plate_))
+  tell_energies(solution.state, beside.strain_energy);
+  const bool loaded_in_plane = ready_.membrane && !(content().faces_touch() && beside.external_work == 0);
+  if (!loaded_in_plane && !post::moves(solution.state, work, plate_))
     post::require_motion(plate_, post::forces_of(plate_), solution.state, work, summary.warnings);
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
@@ -146,6 +142,18 @@ void SinglePlate::solve_static() {
   else
     look_for_coarseness(strain, work, plate_, summary.warnings);
   if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate_, summary.warnings);
+}
+
+/// Energies of a plate at rest; with contact those of its plane are among them.
+void SinglePlate::tell_energies(const plate::State& state, double in_plane) {
+  auto& energy = summary().energy;
+  energy = {{"strain", results_.strain_energy()}};
+  if (content().faces_touch()) {
+    energy.emplace_back("bending", results_.strain_energy() - in_plane);
+    energy.emplace_back("stretching", in_plane);
+  }
+  energy.emplace_back("external_work", results_.external_work());
+  add_elastic_support_energy(plate_, state, summary());
 }
 
 /// Takes the rows and frames of a motion, as far as the step `last`.

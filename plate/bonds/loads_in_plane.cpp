@@ -1,5 +1,7 @@
 #include "plate/bonds/loads_in_plane.hpp"
 
+#include <algorithm>
+
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/space.hpp"
@@ -15,6 +17,7 @@ struct InPlaneOnPoints {
   const geometry::Outline& outline;
   const std::vector<geometry::CrackPath>& paths;  // [spacings]
   double reach;                                   // of the points that take over a piece of an edge [spacings]
+  const std::vector<Support>& supports;
   Forces& forces;
 
   void operator()(const EdgeTraction& load) const {
@@ -24,7 +27,7 @@ struct InPlaneOnPoints {
         for (const auto k : border.near) places.push_back(boundary.lattice[k]);
         for (const EdgePiece& piece : border.pieces)
           for (const auto& share : behind(piece, places))
-            add(share.weight * load.on(piece.normal), border.near[share.point]);
+            add(share.weight * left(name, load.on(piece.normal), piece.normal), border.near[share.point]);
       }
   }
   void operator()(const BodyForce& load) const {
@@ -39,6 +42,18 @@ struct InPlaneOnPoints {
   void operator()(const Other&) const {}
 
 private:
+  /// The part of a force on an edge that no support takes at once.
+  Point left(const std::string& edge, const Point& force, const Point& normal) const {
+    Point result = force;
+    for (const auto& support : supports) {
+      if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
+      const Point across = result.dot(normal) * normal;
+      if (support.kind == SupportKind::clamped) result = {0, 0};
+      if (support.kind == SupportKind::symmetry) result -= across;
+      if (support.kind == SupportKind::simply_supported_hard) result = across;
+    }
+    return result;
+  }
   /// The points behind a piece of an edge.
   std::vector<PlaceShare> behind(const EdgePiece& piece, const std::vector<Point>& places) const {
     const auto& units = boundary.cloud.units;
@@ -54,10 +69,11 @@ private:
 }  // namespace
 
 Forces forces_in_plane(const Load& load, const Boundary& boundary, const geometry::Outline& outline,
-                       const std::vector<geometry::CrackPath>& paths, double horizon_ratio) {
+                       const std::vector<geometry::CrackPath>& paths, double horizon_ratio,
+                       const std::vector<Support>& supports) {
   Forces result = zero_forces(boundary.cloud.size());
   const auto in_spacings = geometry::to_lattice(paths, boundary.cloud.units);
-  std::visit(InPlaneOnPoints{boundary, outline, in_spacings, horizon_ratio + 1, result}, load.action);
+  std::visit(InPlaneOnPoints{boundary, outline, in_spacings, horizon_ratio + 1, supports, result}, load.action);
   return result;
 }
 

@@ -228,7 +228,8 @@ Forces forces_of(const Load& load, const Problem& problem, const Boundary& bound
                  const std::vector<geometry::CrackPath>& paths) {
   if (problem.section.law == PlateLaw::bending)
     return nodal_forces(load, boundary.cloud, problem.outline, boundary.map, paths);
-  return forces_in_plane(load, boundary, problem.outline, paths, problem.discretization.horizon_ratio);
+  return forces_in_plane(load, boundary, problem.outline, paths, problem.discretization.horizon_ratio,
+                         problem.supports);
 }
 
 /// Adds warnings to `warnings`, and its time to `stopwatch`.

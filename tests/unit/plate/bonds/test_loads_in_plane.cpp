@@ -87,3 +87,18 @@ TEST_CASE("a force in the plane keeps its size and its place, and a body force i
   CHECK((resultant(b, forces) - Eigen::Vector3d(2, -3, -2.5)).norm() < 1e-9);
   CHECK(forces_in_plane({Pressure{1}}, b, outline, {}, horizon_ratio).isZero(0));
 }
+
+TEST_CASE("tractions along what a support of the edge holds are left to it") {
+  const auto outline = slanted();
+  const auto b = boundary_of(outline, 0.05);
+  const EdgeTraction load{{"a"}, 2, -0.7};
+  const auto with = [&](SupportKind kind) {
+    Support support;
+    support.kind = kind, support.edges = {"a"};
+    return forces_in_plane({load}, b, outline, {}, horizon_ratio, {support});
+  };
+  const auto free = forces_in_plane({load}, b, outline, {}, horizon_ratio);
+  CHECK(with(SupportKind::clamped).isZero(0));
+  CHECK((with(SupportKind::symmetry) + with(SupportKind::simply_supported_hard) - free).norm() < 1e-12 * free.norm());
+  CHECK(with(SupportKind::symmetry).norm() < 0.5 * free.norm());
+}
