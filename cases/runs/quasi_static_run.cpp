@@ -237,7 +237,7 @@ void QuasiStaticRun::finish() {
   post::conclude(summary,
                  {content_.section, content_.srif, content_.si(), outputs_->recorder().history(), reactions_, latest_});
   if (plane) {
-    if (!content_.faces_touch()) outputs_->warn(warnings_about_overlaps(latest_));
+    if (!content_.faces_touch()) outputs_->warn(warnings_about_overlaps(latest_, true));
     summary.membrane = plane->summary, summary.contact = tips_->contact(factor_);
   }
   summary.overlaps = overlaps;
