@@ -135,10 +135,11 @@ void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const p
       srif.K1 = srif.K2 = srif.K3 = 0;
       srif.errors = {0, 0, 0}, srif.resolved = {true, true, true}, srif.estimated_error = 0;
     }
+    if (top && bottom) srif.resolved[0] = plane.resolved[0] = true;
     if (!srif.resolved[0] || !plane.resolved[0]) continue;
     const double N = arm * plane.N[0], shared = std::sqrt((srif.K1 * srif.K1 + 3 * N * N) / 4);
-    const bool none = shared <= least;
-    const double K = (top && bottom) || none ? 0 : shared, signed_K = K > 0 && top ? -K : K;
+    const bool none = (top && bottom) || shared <= least;
+    const double K = none ? 0 : shared, signed_K = K > 0 && top ? -K : K;
     const double most = none ? 0
                              : std::max({srif.errors[0].value_or(0), plane.errors[0].value_or(0) * arm,
                                          std::abs(srif.K1 - signed_K), std::abs(N - K)});
