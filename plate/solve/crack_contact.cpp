@@ -53,7 +53,7 @@ struct Complementarity {
       if (iterations == most)
         throw NumericalError(
             "contact of crack faces: the search for what touches does not end: take a finer spacing, or remove "
-            "cracks.contact");
+            "`contact`");
       if (wrong.size() < fewest)
         fewest = wrong.size(), left = tries;
       else
@@ -90,7 +90,7 @@ private:
       if (factor.info() != Eigen::Success)
         throw NumericalError(
             "contact of crack faces: openings do not follow from the forces on them: take a finer spacing, or remove "
-            "cracks.contact");
+            "`contact`");
       const Eigen::VectorXd forces = factor.solve(-c(active));
       x(active) = forces;
     }
