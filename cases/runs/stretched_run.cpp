@@ -152,7 +152,7 @@ std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Ou
 
 std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found) {
   if (found.empty()) return {};
-  const double share = c.cracks.empty() ? 0.5 : 1;
+  const double share = c.cracks.empty() ? 0.5 : 1.5;
   const auto coarser = coarser_buckling(c);
   std::vector<std::optional<double>> result(found.size());
   for (std::size_t i = 0; i < std::min(found.size(), coarser.size()); ++i)

@@ -43,7 +43,8 @@ struct InPlaneOnPoints {
 
 private:
   /// The part of a force on an edge that no support takes at once.
-  Point left(const std::string& edge, const Point& force, const Point& normal) const {
+  Point left(const std::string& edge, const Point& force, const Point& outward) const {
+    const Point normal = outward.normalized();
     Point result = force;
     for (const auto& support : supports) {
       if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;

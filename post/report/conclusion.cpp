@@ -201,8 +201,8 @@ void conclude(Summary& summary, Found found) {
         summary.warnings.push_back(said + "; set `nonlinear` = true");
     } else if (found.si && !found.stretches && *summary.deflection_over_thickness > small_deflection) {
       summary.warnings.push_back(fmt::format(
-          "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g} x "
-          "thickness; check units and loads, or set `nonlinear` = true",
+          "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g}; check "
+          "units and loads, or set `nonlinear` = true",
           *summary.deflection_over_thickness, *w, small_deflection));
     }
   }
