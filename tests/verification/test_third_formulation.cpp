@@ -149,6 +149,8 @@ const plate::FormulationKind bare{"bare_bonds",
                                    {Feature::graded_points, "its points are those of a lattice"},
                                    {Feature::single_precision, "it is in double precision"},
                                    {Feature::lanczos, "points outside the plate have no mass"},
+                                   {Feature::stretching, "it has no plane"},
+                                   {Feature::touching_faces, "it has no plane"},
                                    {Feature::breaking_bonds, "its bonds hold"},
                                    {Feature::running_tips, "its bonds hold"}},
                                   bare_bonds};
