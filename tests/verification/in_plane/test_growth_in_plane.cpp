@@ -53,7 +53,7 @@ struct Grown {
 
   explicit Grown(const Cracked& plate) {
     const auto file = cases::read_case_text(plate.toml(), "growth in the plane", {});
-    summary = cases::run(file, {.quiet = true, .in_memory = &results});
+    summary = cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
   }
   const post::Table& table(const std::string& name) const {
     const auto found = std::ranges::find(results.tables, name, &std::pair<std::string, post::Table>::first);
