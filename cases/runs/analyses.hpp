@@ -61,8 +61,8 @@ std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Out
                                                 RunCheckpoints* checkpoints);
 
 /// Estimated errors of buckling factors, from those with twice the spacing: half the difference, as errors fall with
-/// the square of the spacing, and 1.5 times it beside the tips of cracks, where they fall with the spacing. Absent where
-/// no such plate, or mode, can be had.
+/// the square of the spacing, and 1.5 times it beside the tips of cracks, where they fall with the spacing. Absent
+/// where no such plate, or mode, can be had.
 std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found);
 
 /// Loads in the plane at which a flat plate buckles, and its shapes then.
