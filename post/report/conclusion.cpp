@@ -202,7 +202,7 @@ void conclude(Summary& summary, Found found) {
     } else if (found.si && !found.stretches && *summary.deflection_over_thickness > small_deflection) {
       summary.warnings.push_back(fmt::format(
           "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g}; check "
-          "units and loads, or set `nonlinear` = true",
+          "units, or set `nonlinear` = true",
           *summary.deflection_over_thickness, *w, small_deflection));
     }
   }
