@@ -418,8 +418,4 @@ TEST_CASE(
   CHECK(all.in_memory.frames.size() == 4);
   CHECK(all.summary.outcome == "done");
   CHECK(nlohmann::json::parse(all.in_memory.summary).at("load_cases").at(2).at("superposed") == false);
-  std::set<std::string> quantities;
-  for (const auto& entry : all.summary.envelope) quantities.insert(entry.quantity);
-  CAPTURE(quantities);
-  CHECK_FALSE(quantities.empty());  // so coarse points leave most factors of a case open
 }
