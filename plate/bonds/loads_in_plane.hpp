@@ -8,10 +8,10 @@
 
 namespace plate {
 
-/// Nodal forces [3 x points] of what a load does in the plane, conjugate to theta_x = -v and theta_y = u: every force
-/// by the points about its place that no crack parts from it, so that forces and their moments are those of the load.
-/// Those of edges reach a spacing deeper than the horizon, as the bonds of a constant stress do there, without what
-/// `supports` (kinds of membrane_of()) hold there. `outline` and `paths` in lengths.
+/// Nodal forces of a load in the plane [3 x points], conjugate to theta_x = -v and theta_y = u. The points about the
+/// place of a force that no crack parts from it share it, so that force and moment stay. Forces on an edge are shared
+/// down to a spacing below the horizon, where the bonds of a constant stress end. Components that one of `supports`
+/// (kinds of membrane_of()) holds on the edge are left out. `outline` and `paths` [length].
 /// @throws Refused  where a place sees no point
 Forces forces_in_plane(const Load& load, const Boundary& boundary, const geometry::Outline& outline,
                        const std::vector<geometry::CrackPath>& paths, double horizon_ratio,

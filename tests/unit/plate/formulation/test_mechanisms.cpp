@@ -24,7 +24,7 @@ Mechanisms mechanisms_of(const small_plate::Model& m, const Forces& load) {
   return mechanisms(m.boundary, m.plate.families(), pieces(m.boundary, m.plate.families()), load);
 }
 
-/// The same plate in its plane.
+/// Takes a plate into its plane.
 small_plate::Model in_plane(const std::vector<CrackPath>& cracks, const Support& support = clamped_left) {
   return small_plate::model(geometry::rectangle(0, 0, 1.2, 0.9), {support}, small_plate::spaced(0.1), cracks,
                             PlateLaw::membrane);
