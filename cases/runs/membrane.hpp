@@ -94,8 +94,8 @@ void require_balance(const post::MembraneSummary& summary, const std::string& wh
 
 /// Estimates by what share linear theory overstates the deflections of a plate at rest (plate::linear_theory_off).
 /// `membrane`, `in_plane`: its plane and the load there, where there is one; null and without columns otherwise. Absent
-/// where deflections are small or beyond any estimate, for more points than a factor suits, and for plates that have no
-/// large deflections.
+/// where deflections are small or beyond any estimate, and for plates that have no large deflections. Beyond 5,000
+/// points a plate of 2,500 points is solved for it; with load cases none is found beyond 20,000.
 std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
                                         const plate::Formulation* membrane = nullptr,
                                         const plate::Forces& in_plane = plate::no_state());

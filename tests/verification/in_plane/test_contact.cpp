@@ -155,7 +155,7 @@ TEST_CASE("contact: squares against finite elements", "[in_plane]") {
   const double arm = one.plate.thickness / 6, largest = std::max(one.K1, one.K2);
   INFO(one.words << ": K1 " << tip.K1 / one.K1 - 1 << ", K2 " << (std::abs(tip.K2) - one.K2) / largest << ", N1 "
                  << arm * tip.membrane->N[0] / one.K1 - 1);
-  CHECK(std::abs(tip.K1 - one.K1) < 0.005 * one.K1);  // 0.38 % of the thin one, else 0.2 %
+  CHECK(std::abs(tip.K1 - one.K1) < 0.005 * one.K1);  // 0.39 % of the thin one, else 0.21 %
   CHECK(std::abs(tip.K1 - one.K1) < *tip.errors[0]);
   CHECK(std::abs(std::abs(tip.K2) - one.K2) < 0.01 * largest);
   CHECK(std::abs(std::abs(tip.K2) - one.K2) < *tip.errors[1] + 1e-3 * largest);

@@ -94,7 +94,7 @@ TEST_CASE("growth in the plane: a crack in a strip in tension grows straight on 
     const double N1 = std::sqrt(section.young / std::numbers::pi) * section.thickness;  // G = pi N1^2 / (E h) = G_c h
     const double expected = N1 / (std::sqrt(a) * strip_factor(2 * a / plate.width));
     CAPTURE(a, run.at("growth", i, "load_factor") / expected - 1);
-    CHECK(run.at("growth", i, "load_factor") == Approx(expected).epsilon(0.01));  // static runs: 0.12 to 0.38 %
+    CHECK(run.at("growth", i, "load_factor") == Approx(expected).epsilon(0.01));  // 0.12 to 0.72 %
     for (std::size_t tip = 2 * i; tip < 2 * i + 2; ++tip) {
       CHECK(std::abs(run.at("tips", tip, "y")) < 1e-9);
       CHECK(run.at("tips", tip, "N1") == Approx(N1).epsilon(0.01));  // under the load of growth
@@ -103,7 +103,7 @@ TEST_CASE("growth in the plane: a crack in a strip in tension grows straight on 
     }
   }
   CHECK(run.at("growth", 4, "fracture_energy") == Approx(0.04).epsilon(1e-9));  // 1 * 0.1 * 0.4
-  CHECK(std::abs(run.spent() - 1) < 0.03);                                      // static runs: 0.2 to 1.6 % an advance
+  CHECK(std::abs(run.spent() - 1) < 0.03);                                      // 1.1, 1.2 %
 }
 
 TEST_CASE("growth in the plane: energy release rates of tension and bending add up, and so does the energy balance") {
@@ -118,7 +118,7 @@ TEST_CASE("growth in the plane: energy release rates of tension and bending add 
   CHECK(bent > both * 1.05);  // both parts count
   CHECK(pulled > both * 1.05);
   const Grown run({.traction = 1, .moment = moment});
-  CHECK(std::abs(run.spent() - 1) < 0.03);  // static runs: 0.1 to 1.6 % an advance
+  CHECK(std::abs(run.spent() - 1) < 0.03);  // 1.2 %
 }
 
 TEST_CASE("growth in the plane: bending decides which face of the plate turns an oblique crack") {
@@ -152,7 +152,7 @@ TEST_CASE("growth in the plane: an oblique crack in tension turns across it (Erd
   for (std::size_t row = 2; row < 8; ++row) {
     const double along = std::remainder(run.at("tips", row, "angle"), 180);  // from the line across the tension
     CAPTURE(row, along);
-    CHECK(std::abs(along) < 12);  // expected: -8.4 at first
+    CHECK(std::abs(along) < 12);  // 8.4
   }
   for (std::size_t advance = 1; advance < 4; ++advance) {  // both tips alike
     CHECK(run.at("tips", 2 * advance, "x") == Approx(-run.at("tips", 2 * advance + 1, "x")).margin(0.002));
@@ -183,12 +183,12 @@ TEST_CASE("growth with contact: the crack takes the fracture energy, and more lo
   for (std::size_t i = 0; i < 5; ++i) {
     const double share = touching.at("growth", i, "load_factor") / open.at("growth", i, "load_factor");
     CAPTURE(i, share);
-    if (i == 0) CHECK(share == Approx(1.543).epsilon(0.01));  // static runs
+    if (i == 0) CHECK(share == Approx(1.543).epsilon(0.01));
     CHECK(share > 1.35);  // 1.40 of the longest crack; 1.48 to 2 in infinite plates ("Faces that touch")
     CHECK(share < 2);
     for (std::size_t tip = 2 * i; tip < 2 * i + 2; ++tip)
       CHECK(touching.at("tips", tip, "N1") ==
             Approx(6 * std::abs(touching.at("tips", tip, "K1")) / section.thickness).epsilon(1e-6));
   }
-  CHECK(std::abs(touching.spent() - 1) < 0.03);  // static runs: 0.1 % an advance of half that length
+  CHECK(std::abs(touching.spent() - 1) < 0.03);  // 1.9 %
 }
