@@ -165,6 +165,9 @@ public:
   virtual std::optional<double> width_of_pins() const { return std::nullopt; }
   /// Share of deflections by which edges between the points are usually off.
   virtual double error_of_edges() const { return 0; }
+  /// Derivatives of the energy by the rotations of the plate (rows) and by the displacements of its plane, symmetric
+  /// (coupled()). Only of kinds that offer Feature::stretching.
+  virtual PointMatrix coupling() const;
 
 protected:
   explicit Formulation(Layout layout);

@@ -143,6 +143,9 @@ public:
     return std::make_unique<GalerkinPlate>(
         discretised_part(membrane_of(problem()), paths(), cells_, communicator(), ignored));
   }
+  PointMatrix coupling() const override {
+    return with(coupling_matrix(op_.families(), section()), elastic_supports_of(coupling_of(problem()), cells_));
+  }
   std::unique_ptr<Preconditioner> factor() const override {
     if (distributed()) return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
@@ -243,7 +246,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   auto paths = crack_paths(problem);
   auto cells = required_cells(problem, paths, all.distributed());
   stopwatch.lap("geometry");
-  if (problem.stretches || problem.faces_touch() || loaded_in_plane(problem))
+  if (has_plane(problem))
     result.membrane =
         std::make_unique<GalerkinPlate>(discretised_part(membrane_of(problem), paths, cells, all, stopwatch));
   result.plate =

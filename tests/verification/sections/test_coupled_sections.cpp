@@ -1,0 +1,304 @@
+// Plates whose bending and stretching are coupled: uniform states of plies that are not symmetric, Navier's solution of
+// an antisymmetric cross-ply plate, a beam with a rib on one side.
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/sections.hpp"
+#include "plate/model/membrane.hpp"
+#include "plate/solve/coupled_plate.hpp"
+#include "tests/verification/sections/plates_of_sections.hpp"
+
+using namespace plates_of_sections;
+constexpr double pi = std::numbers::pi;
+
+namespace {
+
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+Ply ply(double angle, double thickness) {
+  Ply result;
+  static_cast<Orthotropy&>(result) = {25000, 1000, 0.25, 500, 500, 200, angle};
+  result.thickness = thickness;
+  return result;
+}
+
+Section of_plies(std::vector<Ply> plies) {
+  Section s{0, 0, 0, 5.0 / 6, 2};
+  for (const auto& one : plies) s.thickness += one.thickness;
+  s.plies = std::move(plies);
+  return s;
+}
+
+/// Reduced stiffness of a ply turned from its axes (Reddy, Mechanics of Laminated Composite Plates, 2.4.8).
+Eigen::Matrix3d turned_stiffness(const Ply& p) {
+  const double c = std::cos(p.angle * pi / 180), s = std::sin(p.angle * pi / 180),
+               rest = 1 - p.nu12 * p.nu12 * p.E2 / p.E1;
+  const double Q11 = p.E1 / rest, Q22 = p.E2 / rest, Q12 = p.nu12 * p.E2 / rest, Q66 = p.G12;
+  const double a = c * c * c * c, b = s * s * s * s, d = s * s * c * c;
+  Eigen::Matrix3d Q;
+  Q(0, 0) = Q11 * a + 2 * (Q12 + 2 * Q66) * d + Q22 * b;
+  Q(1, 1) = Q11 * b + 2 * (Q12 + 2 * Q66) * d + Q22 * a;
+  Q(0, 1) = Q(1, 0) = (Q11 + Q22 - 4 * Q66) * d + Q12 * (a + b);
+  Q(2, 2) = (Q11 + Q22 - 2 * Q12 - 2 * Q66) * d + Q66 * (a + b);
+  Q(0, 2) = Q(2, 0) = (Q11 - Q12 - 2 * Q66) * s * c * c * c + (Q12 - Q22 + 2 * Q66) * s * s * s * c;
+  Q(1, 2) = Q(2, 1) = (Q11 - Q12 - 2 * Q66) * s * s * s * c + (Q12 - Q22 + 2 * Q66) * s * c * c * c;
+  return Q;
+}
+
+/// N and M by the strains and curvatures of the middle plane.
+Matrix6 laminate(const Section& section) {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero(), B = A, D = A;
+  double z = -section.thickness / 2;
+  for (const auto& one : section.plies) {
+    const double end = z + one.thickness;
+    const auto Q = turned_stiffness(one);
+    A += (end - z) * Q, B += (end * end - z * z) / 2 * Q, D += (end * end * end - z * z * z) / 3 * Q;
+    z = end;
+  }
+  Matrix6 result;
+  result << A, B, B, D;
+  return result;
+}
+
+struct Solved {
+  std::unique_ptr<Formulation> plate, membrane;
+  CoupledEquilibrium found;
+  PlateLoads loads;
+};
+
+Solved solved(const cases::Case& c) {
+  auto made = discretise(c);
+  REQUIRE(made.membrane);
+  PlateLoads loads{made.plate->total_load(), made.membrane->total_load()};
+  auto found = CoupledPlate(*made.plate, *made.membrane).equilibrium(loads, {1e-11, 10, {}});
+  REQUIRE(found.of_both.converged);
+  const double work =
+      loads.across.cwiseProduct(found.bending).sum() + loads.in_plane.cwiseProduct(found.membrane).sum();
+  CHECK(2 * found.strain_energy() == Approx(work).epsilon(1e-8));
+  return {std::move(made.plate), std::move(made.membrane), std::move(found), std::move(loads)};
+}
+
+/// A rectangle 1 x 0.6 about the origin, turned, under forces N and moments M on all edges; three pins hold w.
+cases::Case patch(const Section& section, double degrees, const Vector6& loads) {
+  const Eigen::Rotation2Dd turn(degrees * pi / 180);
+  auto c = rectangle(section, 1, 0.6, 0.1);
+  c.outline.outer.vertices = {{-0.5, -0.3}, {0.5, -0.3}, {0.5, 0.3}, {-0.5, 0.3}};
+  for (auto& x : c.outline.outer.vertices) x = turn * x;
+  c.outline.outer.edge_names = {"a", "b", "c", "d"};
+  auto pins = vp::held(SupportKind::pinned, {});
+  pins.points = {c.outline.outer.vertices[0], c.outline.outer.vertices[1], c.outline.outer.vertices[3]};
+  c.supports = {pins};
+  EdgeTraction forces{c.outline.outer.edge_names};
+  forces.tensor = {loads[0], loads[1], loads[2]};
+  EdgeMoment moments{c.outline.outer.edge_names};
+  moments.tensor = {loads[3], loads[4], loads[5]};
+  c.loads = {Load{forces}, Load{moments}};
+  return c;
+}
+
+/// Largest difference of the resultants of all points from the loads, and of the strains and curvatures from those of
+/// the laminate, each over the largest of them.
+double off(const Solved& solved, const Vector6& loads) {
+  const auto& section = solved.plate->section();
+  auto bending = solved.plate->resultants(solved.found.bending),
+       membrane = solved.membrane->resultants(solved.found.membrane);
+  const Matrix6 K = laminate(section);
+  const Vector6 strains = K.inverse() * loads;
+  const double h = section.thickness;
+  Vector6 scale;  // strains at the faces
+  scale << 1, 1, 1, h / 2, h / 2, h / 2;
+  const double size = strains.cwiseProduct(scale).cwiseAbs().maxCoeff();
+  double result = 0;
+  for (Eigen::Index k = 0; k < bending.moments.cols(); ++k) {
+    Vector6 own;
+    own << K.topLeftCorner<3, 3>().inverse() * membrane.moments.col(k),
+        K.bottomRightCorner<3, 3>().inverse() * bending.moments.col(k);
+    result = std::max(result, (own - strains).cwiseProduct(scale).cwiseAbs().maxCoeff() / size);
+  }
+  couple(bending, membrane, section);
+  const double largest = loads.cwiseProduct(scale).cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 0; k < bending.moments.cols(); ++k) {
+    Vector6 own;
+    own << membrane.moments.col(k), bending.moments.col(k);
+    result = std::max(result, (own - loads).cwiseProduct(scale).cwiseAbs().maxCoeff() / largest);
+  }
+  return result;
+}
+
+Vector6 six(double a, double b, double c, double d, double e, double f) {
+  Vector6 result;
+  result << a, b, c, d, e, f;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("coupled sections: uniform forces and moments are passed exactly, by the inverse of A, B, D") {
+  const double h = 0.02;
+  for (const auto& section : {of_plies({ply(0, h / 2), ply(90, h / 2)}), of_plies({ply(45, h / 2), ply(-45, h / 2)}),
+                              of_plies({ply(0, h / 4), ply(30, h / 2), ply(75, h / 4)})}) {
+    CHECK(section.couples());
+    for (const auto& loads : {six(1, 0, 0, 0, 0, 0), six(0, 0, 0, 0.01, 0, 0), six(1, -2, 0.5, 0.01, 0.02, -0.01)})
+      for (const double turned : {0.0, 27.0}) {
+        const double error = off(solved(patch(section, turned, loads)), loads);
+        INFO("turned by " << turned << ": " << error);
+        CHECK(error < 1e-7);
+      }
+  }
+}
+
+TEST_CASE("coupled sections: plies, loads and plate turned together have the same strains along the turned axes") {
+  const double h = 0.02, degrees = 27, c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+  const auto plain = solved(patch(of_plies({ply(0, h / 2), ply(90, h / 2)}), 0, six(1, 0, 0, 0, 0, 0)));
+  const auto turned = solved(
+      patch(of_plies({ply(degrees, h / 2), ply(90 + degrees, h / 2)}), degrees, six(c * c, s * s, c * s, 0, 0, 0)));
+  CHECK(turned.found.strain_energy() == Approx(plain.found.strain_energy()).epsilon(1e-9));
+  CHECK(turned.found.coupling_energy == Approx(plain.found.coupling_energy).epsilon(1e-9));
+  CHECK(plain.found.coupling_energy < -0.1 * plain.found.bending_energy);
+}
+
+TEST_CASE("coupled sections: von Mises stress of the worse face of a bent and pulled cross-ply") {
+  const double h = 0.02;
+  const auto section = of_plies({ply(0, h / 2), ply(90, h / 2)});
+  const Vector6 loads = six(1, 0, 0, 0, 0, 0);
+  const auto found = solved(patch(section, 0, loads));
+  auto bending = found.plate->resultants(found.found.bending),
+       membrane = found.membrane->resultants(found.found.membrane);
+  couple(bending, membrane, section);
+  const Vector6 strains = laminate(section).inverse() * loads;
+  double largest = 0;
+  for (const int side : {-1, 1}) {
+    const Eigen::Vector3d at =
+        turned_stiffness(section.plies[side > 0]) * (strains.head<3>() + side * h / 2 * strains.tail<3>());
+    largest = std::max(largest, std::sqrt(at[0] * at[0] - at[0] * at[1] + at[1] * at[1] + 3 * at[2] * at[2]));
+  }
+  for (Eigen::Index k = 0; k < bending.von_mises.size(); ++k)
+    CHECK(bending.von_mises[k] == Approx(largest).epsilon(1e-7));
+}
+
+TEST_CASE("coupled sections: symmetric plies are not coupled, and have no plane beside them") {
+  auto c = patch(of_plies({ply(0, 0.01), ply(90, 0.02), ply(180, 0.01)}), 0, six(0, 0, 0, 1, 0, 0));
+  c.loads.erase(c.loads.begin());
+  CHECK_FALSE(coupled(c));
+  CHECK_FALSE(discretise(c).membrane);
+  c.section.plies[0].density = 7.0;  // heavier on one side
+  CHECK(coupled(c));
+}
+
+namespace {
+
+/// Navier's solution of the laminate of first order (Reddy 2004, 7.4.2) of an antisymmetric cross-ply rectangle a x b:
+/// SS-1, v = w = phi_y = 0 on x = 0, a and u = w = phi_x = 0 on y = 0, b. Amplitudes of u, v, w, phi_x, phi_y under
+/// q sin(m pi x / a) sin(n pi y / b).
+Eigen::Matrix<double, 5, 1> navier(const Section& section, double a, double b, int m, int n, double q) {
+  const Matrix6 K = laminate(section);
+  const auto A = [&](int i, int j) { return K(i, j); };
+  const auto B = [&](int i, int j) { return K(i, 3 + j); };
+  const auto D = [&](int i, int j) { return K(3 + i, 3 + j); };
+  double S55 = 0, S44 = 0;
+  for (const auto& one : section.plies) {
+    const bool along = one.angle == 0;
+    S55 += section.shear_correction * one.thickness * (along ? one.G13 : one.G23);
+    S44 += section.shear_correction * one.thickness * (along ? one.G23 : one.G13);
+  }
+  const double x = m * pi / a, y = n * pi / b;
+  Eigen::Matrix<double, 5, 5> S;
+  S.setZero();
+  S(0, 0) = A(0, 0) * x * x + A(2, 2) * y * y, S(0, 1) = (A(0, 1) + A(2, 2)) * x * y;
+  S(1, 1) = A(2, 2) * x * x + A(1, 1) * y * y;
+  S(0, 3) = B(0, 0) * x * x + B(2, 2) * y * y, S(0, 4) = S(1, 3) = (B(0, 1) + B(2, 2)) * x * y;
+  S(1, 4) = B(2, 2) * x * x + B(1, 1) * y * y;
+  S(2, 2) = S55 * x * x + S44 * y * y, S(2, 3) = S55 * x, S(2, 4) = S44 * y;
+  S(3, 3) = D(0, 0) * x * x + D(2, 2) * y * y + S55, S(3, 4) = (D(0, 1) + D(2, 2)) * x * y;
+  S(4, 4) = D(2, 2) * x * x + D(1, 1) * y * y + S44;
+  const Eigen::Matrix<double, 5, 5> all = S.selfadjointView<Eigen::Upper>();
+  Eigen::Matrix<double, 5, 1> right;
+  right << 0, 0, q, 0, 0;
+  return all.inverse() * right;
+}
+
+}  // namespace
+
+TEST_CASE("coupled sections: Navier's solution of a [0/90] square, SS-1, sinusoidal load") {
+  for (const double h : {0.1, 0.01}) {
+    const auto section = of_plies({ply(0, h / 2), ply(90, h / 2)});
+    auto c = rectangle(section, 1, 1, 1.0 / 40);
+    c.supports = {vp::held_all_round(SupportKind::simply_supported_hard)};
+    c.supports[0].in_plane = InPlane::tangential;
+    c.loads = {Load{Pressure{.formula = Formula("sin(pi * x) * sin(pi * y)")}}};
+    const auto found = solved(c);
+    const auto exact = navier(section, 1, 1, 1, 1, 1);
+    const double deflection = at(*found.plate, found.found.bending, {0.5, 0.5}) / exact[2] - 1;
+    double u = 0;  // = theta_y of the membrane
+    for (const auto& share : found.membrane->interpolation({0, 0.5}))
+      u += share.weight * found.found.membrane(2, share.point);
+    const double without = 1 / (Section(section).bending_stiffness());
+    INFO("h = " << h << ": w " << deflection << ", u " << u / exact[0] - 1 << ", D alone " << without);
+    CHECK(std::abs(deflection) < 0.003);
+    CHECK(std::abs(u / exact[0] - 1) < 0.005);
+  }
+}
+
+namespace {
+
+/// A strip 1 x 0.05 about its middle line, turned, with a rib along it, held at both ends; a pressure.
+cases::Case ribbed(double eccentricity, double degrees) {
+  const Eigen::Rotation2Dd turn(degrees * pi / 180);
+  const double half = 0.025;
+  auto c = rectangle({1000, 0.3, 0.01, 5.0 / 6, 2}, 1, 2 * half, half / 4);
+  c.outline.outer.vertices = {{0, -half}, {1, -half}, {1, half}, {0, half}};
+  for (auto& x : c.outline.outer.vertices) x = turn * x;
+  c.outline.outer.edge_names = {"below", "right", "above", "left"};
+  c.supports = {vp::held(SupportKind::simply_supported, {"left", "right"})};
+  Stiffener rib;
+  rib.along = {turn * Point(0, 0), turn * Point(1, 0)};
+  rib.axial = 0.3, rib.bending = 1e-5, rib.eccentricity = eccentricity;
+  c.stiffeners = {rib};
+  c.loads = {Load{Pressure{.value = 1e-3}}};
+  return c;
+}
+
+/// Deflection of the composite beam in the middle of the span: bending about the common axis, and shear of the strip.
+double of_beam(double eccentricity) {
+  const double E = 1000, h = 0.01, b = 0.05, q = 1e-3 * b;
+  const double axial = E * b * h, bending = axial * h * h / 12;
+  const double both = bending + 1e-5 + axial * 0.3 / (axial + 0.3) * eccentricity * eccentricity;
+  return 5 * q / (384 * both) + q / (8 * 5.0 / 6 * E / 2.6 * b * h);
+}
+
+}  // namespace
+
+TEST_CASE("a strip with an eccentric rib bends as the composite beam, on either side, at any angle") {
+  double first = 0;
+  for (const double eccentricity : {0.03, -0.03})
+    for (const double degrees : {0.0, 27.0}) {
+      const auto found = solved(ribbed(eccentricity, degrees));
+      const Point middle = Eigen::Rotation2Dd(degrees * pi / 180) * Point(0.5, 0);
+      const double w = at(*found.plate, found.found.bending, middle);
+      INFO("e = " << eccentricity << ", " << degrees << " degrees: " << w / of_beam(eccentricity) - 1);
+      CHECK(w == Approx(of_beam(eccentricity)).epsilon(0.01));
+      if (degrees == 0 && first != 0) CHECK(w == Approx(first).epsilon(1e-9));
+      if (degrees == 0) first = w;
+    }
+  CHECK(of_beam(0) > 3 * of_beam(0.03));
+}
+
+TEST_CASE("a rib in the middle plane takes its share of a tension, and does not couple") {
+  auto c = ribbed(0, 0);
+  EdgeTraction pull{{"left", "right"}, 1};
+  c.loads = {Load{pull}};
+  CHECK_FALSE(coupled(c));
+  auto hold = vp::held(SupportKind::in_plane, {});
+  hold.points = {{0.5, -0.025}, {0.5, 0.025}};
+  c.supports.push_back(hold);
+  const auto membrane = discretise(c).membrane;
+  const auto state = at_rest(*membrane);
+  const auto u = [&](double x) {
+    double sum = 0;
+    for (const auto& share : membrane->interpolation({x, 0})) sum += share.weight * state(2, share.point);
+    return sum;
+  };
+  CHECK(u(0.75) - u(0.25) == Approx(0.5 * 0.05 / (0.3 + 0.5)).epsilon(0.01));
+}
