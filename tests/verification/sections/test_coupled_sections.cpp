@@ -72,7 +72,8 @@ Solved solved(const cases::Case& c) {
   auto made = discretise(c);
   REQUIRE(made.membrane);
   PlateLoads loads{made.plate->total_load(), made.membrane->total_load()};
-  auto found = CoupledPlate(*made.plate, *made.membrane).equilibrium(loads, {1e-11, 10, {}});
+  auto found = CoupledPlate(*made.plate, *made.membrane).equilibrium(loads, {1e-8, 10, {}});
+  INFO("residual " << found.of_both.residual);
   REQUIRE(found.of_both.converged);
   const double work =
       loads.across.cwiseProduct(found.bending).sum() + loads.in_plane.cwiseProduct(found.membrane).sum();
@@ -144,7 +145,7 @@ TEST_CASE("coupled sections: uniform forces and moments are passed exactly, by t
       for (const double turned : {0.0, 27.0}) {
         const double error = off(solved(patch(section, turned, loads)), loads);
         INFO("turned by " << turned << ": " << error);
-        CHECK(error < 1e-7);
+        CHECK(error < 1e-7);  // measured: at most 1.4e-9
       }
   }
 }
@@ -234,10 +235,9 @@ TEST_CASE("coupled sections: Navier's solution of a [0/90] square, SS-1, sinusoi
     double u = 0;  // = theta_y of the membrane
     for (const auto& share : found.membrane->interpolation({0, 0.5}))
       u += share.weight * found.found.membrane(2, share.point);
-    const double without = 1 / (Section(section).bending_stiffness());
-    INFO("h = " << h << ": w " << deflection << ", u " << u / exact[0] - 1 << ", D alone " << without);
-    CHECK(std::abs(deflection) < 0.003);
-    CHECK(std::abs(u / exact[0] - 1) < 0.005);
+    INFO("h = " << h << ": w " << deflection << ", u " << u / exact[0] - 1);
+    CHECK(std::abs(deflection) < 0.001);        // measured: 0.066, 0.054 %
+    CHECK(std::abs(u / exact[0] - 1) < 0.001);  // measured: 3e-5, 6e-5
   }
 }
 
@@ -260,12 +260,12 @@ cases::Case ribbed(double eccentricity, double degrees) {
   return c;
 }
 
-/// Deflection of the composite beam in the middle of the span: bending about the common axis, and shear of the strip.
+/// Deflection of the composite beam in the middle of the span, bent about the common axis. A rib that does not shear
+/// keeps the strip from it.
 double of_beam(double eccentricity) {
   const double E = 1000, h = 0.01, b = 0.05, q = 1e-3 * b;
   const double axial = E * b * h, bending = axial * h * h / 12;
-  const double both = bending + 1e-5 + axial * 0.3 / (axial + 0.3) * eccentricity * eccentricity;
-  return 5 * q / (384 * both) + q / (8 * 5.0 / 6 * E / 2.6 * b * h);
+  return 5 * q / (384 * (bending + 1e-5 + axial * 0.3 / (axial + 0.3) * eccentricity * eccentricity));
 }
 
 }  // namespace
@@ -278,7 +278,7 @@ TEST_CASE("a strip with an eccentric rib bends as the composite beam, on either 
       const Point middle = Eigen::Rotation2Dd(degrees * pi / 180) * Point(0.5, 0);
       const double w = at(*found.plate, found.found.bending, middle);
       INFO("e = " << eccentricity << ", " << degrees << " degrees: " << w / of_beam(eccentricity) - 1);
-      CHECK(w == Approx(of_beam(eccentricity)).epsilon(0.01));
+      CHECK(w == Approx(of_beam(eccentricity)).epsilon(0.006));  // measured: 0.36, turned 0.28 %
       if (degrees == 0 && first != 0) CHECK(w == Approx(first).epsilon(1e-9));
       if (degrees == 0) first = w;
     }
@@ -300,5 +300,5 @@ TEST_CASE("a rib in the middle plane takes its share of a tension, and does not 
     for (const auto& share : membrane->interpolation({x, 0})) sum += share.weight * state(2, share.point);
     return sum;
   };
-  CHECK(u(0.75) - u(0.25) == Approx(0.5 * 0.05 / (0.3 + 0.5)).epsilon(0.01));
+  CHECK(u(0.75) - u(0.25) == Approx(0.5 * 0.05 / (0.3 + 0.5)).epsilon(0.002));  // measured: 0.10 %
 }
