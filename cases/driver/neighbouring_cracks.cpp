@@ -53,7 +53,7 @@ plate::Problem moved(plate::Problem problem, const geometry::Tip& tip, double st
 }  // namespace
 
 post::Table energy_check(const plate::Problem& problem, const plate::Analysis& analysis) {
-  if (plate::coupled(problem))
+  if (problem.coupled())
     throw plate::Refused({{plate::Subject::cracks, 0,
                            "the energy check is of plates whose bending and stretching are not coupled: leave --energy "
                            "out"}});

@@ -6,7 +6,6 @@
 
 #include "cases/input/case_file.hpp"
 #include "plate/formulations.hpp"
-#include "plate/model/membrane.hpp"
 
 namespace cases {
 namespace {
@@ -309,8 +308,8 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.combinations.empty(), combinations);
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
-  add(plate::coupled(content), coupled_section);
-  add(std::ranges::any_of(content.stiffeners, [](const auto& beam) { return beam.axial > 0; }), axial_stiffener);
+  add(content.coupled(), coupled_section);
+  add(std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches), axial_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);
     add(srif->richardson, richardson);

@@ -13,7 +13,6 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
@@ -344,7 +343,7 @@ std::unique_ptr<PlateAnalysis> analysis_of(const ValidatedPlate& ready, Outputs&
   if (c.analysis.kind == Analysis::Kind::buckling) return buckling(ready, outputs);
   if (c.moves() && ready.membrane) return stretched_motion(ready, outputs, checkpoints);
   if (c.analysis.nonlinear) return large_deflections(ready, outputs);
-  if (plate::coupled(c)) return coupled_plate(ready, outputs);
+  if (c.coupled()) return coupled_plate(ready, outputs);
   return std::make_unique<SinglePlate>(ready, outputs, checkpoints);
 }
 

@@ -56,7 +56,7 @@ std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Ou
 /// Equilibrium with large deflections (von Karman).
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs);
 
-/// Equilibrium of a plate whose bending and stretching are coupled (plate::coupled()).
+/// Equilibrium of a plate whose bending and stretching are coupled (plate::Problem::coupled()).
 std::unique_ptr<PlateAnalysis> coupled_plate(const ValidatedPlate& ready, Outputs& outputs);
 
 /// Motion under loads in the plane or with large deflections. `checkpoints`: as run().

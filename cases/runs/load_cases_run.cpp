@@ -10,7 +10,6 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
@@ -375,7 +374,7 @@ void LoadCases::solve_stretched() {
 }
 
 void LoadCases::solve() {
-  if (content().analysis.nonlinear || plate::coupled(content())) return solve_stretched();
+  if (content().analysis.nonlinear || content().coupled()) return solve_stretched();
   auto& summary = this->summary();
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;

@@ -223,8 +223,7 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   const auto& problem = plate.problem();
   if (!plate.offers(plate::Feature::stretching) || plate.distributed()) return std::nullopt;
   if (problem.unilateral() || problem.faces_touch() || plate::has_prescribed_displacements(plate)) return std::nullopt;
-  const auto stretched = [](const plate::Stiffener& beam) { return beam.axial > 0; };
-  if (plate::coupled(problem) || std::ranges::any_of(problem.stiffeners, stretched)) return std::nullopt;
+  if (problem.coupled() || std::ranges::any_of(problem.stiffeners, &plate::Stiffener::stretches)) return std::nullopt;
   const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
   if (!(share > small && share < large)) return std::nullopt;
   const auto points = double(plate.points());

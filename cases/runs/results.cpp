@@ -11,7 +11,6 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -224,7 +223,7 @@ void Results::finish() {
     if (!content().faces_touch()) {
       outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
       const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ &&
-                             !content().analysis.nonlinear && !plate::coupled(content()) &&
+                             !content().analysis.nonlinear && !content().coupled() &&
                              plate_.offers(plate::Feature::touching_faces);
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }

@@ -115,6 +115,9 @@ void CoupledRun::solve() {
                     {"stretching", found.stretching_energy},
                     {"coupling", found.coupling_energy},
                     {"external_work", work}};
+  // of beams that act in the plane this would be a part only
+  if (std::ranges::none_of(content().stiffeners, &plate::Stiffener::stretches))
+    add_elastic_support_energy(plate_, found.bending, summary);
   if (strain == 0)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, work, summary.warnings);
   else

@@ -166,7 +166,7 @@ public:
   /// Share of deflections by which edges between the points are usually off.
   virtual double error_of_edges() const { return 0; }
   /// Derivatives of the energy by the rotations of the plate (rows) and by the displacements of its plane, symmetric
-  /// (coupled()). Only of kinds that offer Feature::stretching.
+  /// (Problem::coupled()). Only of kinds that offer Feature::stretching.
   virtual PointMatrix coupling() const;
 
 protected:

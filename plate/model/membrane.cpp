@@ -24,12 +24,8 @@ bool loaded_in_plane(const Problem& problem) {
   return std::ranges::any_of(problem.loads, &Load::in_plane);
 }
 
-bool coupled(const Problem& problem) {
-  return problem.section.couples() || std::ranges::any_of(problem.stiffeners, &Stiffener::eccentric);
-}
-
 bool has_plane(const Problem& problem) {
-  return problem.stretches || problem.faces_touch() || loaded_in_plane(problem) || coupled(problem);
+  return problem.stretches || problem.faces_touch() || loaded_in_plane(problem) || problem.coupled();
 }
 
 Problem membrane_of(Problem problem) {
@@ -38,7 +34,7 @@ Problem membrane_of(Problem problem) {
   for (auto& load : problem.loads)
     if (!load.in_plane()) load.action = BodyForce{};
   problem.foundations.clear(), problem.springs.clear();
-  std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return beam.axial <= 0; });
+  std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.stretches(); });
   for (auto& beam : problem.stiffeners) beam.mass = 0;
   return problem;
 }

@@ -6,9 +6,6 @@ namespace plate {
 /// True where a load acts in the plane.
 bool loaded_in_plane(const Problem& problem);
 
-/// True where bending and stretching act on each other in linear theory: Section::couples(), or an eccentric stiffener.
-bool coupled(const Problem& problem);
-
 /// True where a plate has its plane beside it: loads act there, the middle plane stretches, bending and stretching are
 /// coupled, or faces of cracks touch.
 bool has_plane(const Problem& problem);
@@ -18,7 +15,7 @@ bool has_plane(const Problem& problem);
 /// temperatures that differ between the faces.
 Problem membrane_of(Problem problem);
 
-/// What couples the plate to its plane (PlateLaw::coupling): a section of stiffness B, and eccentric stiffeners.
+/// The coupling of the plate to its plane (PlateLaw::coupling): a section of stiffness B, and eccentric stiffeners.
 Problem coupling_of(Problem problem);
 
 }  // namespace plate

@@ -93,8 +93,10 @@ struct Stiffener {
   std::vector<std::string> edges;
   geometry::Polyline along;
 
+  /// True where it acts in the plane.
+  bool stretches() const { return axial > 0; }
   /// True where it bends as it is pulled.
-  bool eccentric() const { return axial > 0 && eccentricity != 0; }
+  bool eccentric() const { return stretches() && eccentricity != 0; }
 };
 
 }  // namespace plate

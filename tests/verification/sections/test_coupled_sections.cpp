@@ -3,10 +3,13 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "cases/driver/run.hpp"
+#include "cases/input/case_file.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/sections.hpp"
-#include "plate/model/membrane.hpp"
 #include "plate/solve/coupled_plate.hpp"
+#include "post/files/sinks.hpp"
+#include "post/files/summary.hpp"
 #include "tests/verification/sections/plates_of_sections.hpp"
 
 using namespace plates_of_sections;
@@ -182,10 +185,10 @@ TEST_CASE("coupled sections: von Mises stress of the worse face of a bent and pu
 TEST_CASE("coupled sections: symmetric plies are not coupled, and have no plane beside them") {
   auto c = patch(of_plies({ply(0, 0.01), ply(90, 0.02), ply(180, 0.01)}), 0, six(0, 0, 0, 1, 0, 0));
   c.loads.erase(c.loads.begin());
-  CHECK_FALSE(coupled(c));
+  CHECK_FALSE(c.coupled());
   CHECK_FALSE(discretise(c).membrane);
   c.section.plies[0].density = 7.0;  // heavier on one side
-  CHECK(coupled(c));
+  CHECK(c.coupled());
 }
 
 namespace {
@@ -289,7 +292,7 @@ TEST_CASE("a rib in the middle plane takes its share of a tension, and does not 
   auto c = ribbed(0, 0);
   EdgeTraction pull{{"left", "right"}, 1};
   c.loads = {Load{pull}};
-  CHECK_FALSE(coupled(c));
+  CHECK_FALSE(c.coupled());
   auto hold = vp::held(SupportKind::in_plane, {});
   hold.points = {{0.5, -0.025}, {0.5, 0.025}};
   c.supports.push_back(hold);
@@ -301,4 +304,72 @@ TEST_CASE("a rib in the middle plane takes its share of a tension, and does not 
     return sum;
   };
   CHECK(u(0.75) - u(0.25) == Approx(0.5 * 0.05 / (0.3 + 0.5)).epsilon(0.002));  // measured: 0.10 %
+}
+
+namespace {
+
+constexpr const char* cantilever = R"([section]
+plies = [
+  { E1 = 25000.0, E2 = 1000.0, nu12 = 0.25, G12 = 500.0, G13 = 500.0, G23 = 200.0, thickness = 0.01 },
+  { E1 = 25000.0, E2 = 1000.0, nu12 = 0.25, G12 = 500.0, G13 = 500.0, G23 = 200.0, angle = 75.0, thickness = 0.01 }]
+[geometry]
+outline = { rectangle = [0.0, 0.0, 1.0, 0.5] }
+[discretization]
+spacing = 0.05
+[[support]]
+kind = "clamped"
+edges = ["left"]
+in_plane = "fixed"
+[analysis]
+kind = "static"
+[output]
+probes = { end = [1.0, 0.25] }
+)";
+
+struct Run {
+  post::ResultsInMemory results;
+  post::Summary summary;
+
+  explicit Run(const std::string& loads) {
+    const auto file = cases::read_case_text(cantilever + loads, "cantilever", {});
+    summary = cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
+  }
+  double energy(const std::string& name) const {
+    const auto found = std::ranges::find(summary.energy, name, &std::pair<std::string, double>::first);
+    REQUIRE(found != summary.energy.end());
+    return found->second;
+  }
+  double at_end(const std::string& quantity, std::size_t row = 0) const {
+    const auto found = std::ranges::find(results.tables, "probes", &std::pair<std::string, post::Table>::first);
+    REQUIRE(found != results.tables.end());
+    const auto& table = found->second;
+    return std::get<double>(table.rows.at(row)[table.column("end_" + quantity)]);
+  }
+};
+
+const std::string pressure = "kind = 'pressure'\nvalue = 1e-3\n";
+const std::string traction = "kind = 'edge_traction'\nedges = ['right']\nvalue = 0.2\nshear = 0.1\n";
+
+}  // namespace
+
+TEST_CASE("a run of a coupled section: reactions, energies, load cases that add up") {
+  const Run bent("[[load]]\n" + pressure), pulled("[[load]]\n" + traction);
+  CHECK(bent.energy("strain") == Approx(bent.energy("external_work")).epsilon(1e-9));
+  CHECK(bent.energy("strain") ==
+        Approx(bent.energy("bending") + bent.energy("stretching") + bent.energy("coupling")).epsilon(1e-12));
+  CHECK(bent.energy("coupling") < -0.1 * bent.energy("strain"));
+  CHECK(bent.summary.reactions->largest_residual < 1e-8);
+  CHECK(bent.summary.reactions->balance.supports.at(0).force == Approx(-1e-3 * 0.5).epsilon(1e-8));
+  CHECK(std::abs(bent.summary.membrane->reactions.at(0).force.x()) < 1e-9);
+  CHECK(pulled.summary.membrane->reactions.at(0).force.x() == Approx(-0.2 * 0.5).epsilon(1e-8));
+  CHECK(pulled.summary.membrane->reactions.at(0).force.y() == Approx(-0.1 * 0.5).epsilon(1e-8));
+  CHECK(std::abs(pulled.at_end("w")) > 0.01);
+  CHECK(std::abs(bent.at_end("u")) > 1e-4 * std::abs(bent.at_end("w")));
+  const Run both("[[case]]\nname = 'a'\n[[case.load]]\n" + pressure + "[[case]]\nname = 'b'\n[[case.load]]\n" +
+                 traction + "[[combination]]\nname = 'c'\nof = { a = 2.0, b = -3.0 }\n");
+  for (const std::string quantity : {"w", "u", "v"}) {
+    CHECK(both.at_end(quantity, 0) == Approx(bent.at_end(quantity)).epsilon(1e-8));
+    CHECK(both.at_end(quantity, 1) == Approx(pulled.at_end(quantity)).epsilon(1e-8));
+    CHECK(both.at_end(quantity, 2) == Approx(2 * bent.at_end(quantity) - 3 * pulled.at_end(quantity)).epsilon(1e-7));
+  }
 }

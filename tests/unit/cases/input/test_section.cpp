@@ -1,4 +1,3 @@
-#include "plate/model/membrane.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
@@ -46,10 +45,10 @@ TEST_CASE("sections of plies: their thickness is the plies', and those that are 
   CHECK(content.section.thickness == Approx(0.5));
   CHECK(*content.section.plies[1].density == 7);
   CHECK(read(cases::resolved_toml(content)).content.section.plies.size() == 3);
-  CHECK_FALSE(plate::coupled(content));
+  CHECK_FALSE(content.coupled());
   const auto angle_ply =
       section("plies = [" + ply("thickness = 0.1, angle = 45") + ", " + ply("thickness = 0.1, angle = -45") + "]");
-  CHECK(plate::coupled(read(angle_ply).content));
+  CHECK(read(angle_ply).content.coupled());
   expect(angle_ply + "[srif]\n", ":16", "srif", "make section.plies symmetric");
   const auto moves = problems(angle_ply, {"analysis.kind=frequencies", "-load", "section.density=1"});
   REQUIRE(moves.size() == 1);
