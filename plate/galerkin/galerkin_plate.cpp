@@ -144,7 +144,9 @@ public:
         discretised_part(membrane_of(problem()), paths(), cells_, communicator(), ignored));
   }
   PointMatrix coupling() const override {
-    return with(coupling_matrix(op_.families(), section()), elastic_supports_of(coupling_of(problem()), cells_));
+    auto by_section = section().couples() ? coupling_matrix(op_.families(), section())
+                                          : zeros(points(), [](Column&, std::uint32_t) {});
+    return with(std::move(by_section), elastic_supports_of(coupling_of(problem()), cells_));
   }
   std::unique_ptr<Preconditioner> factor() const override {
     if (distributed()) return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_));

@@ -1,15 +1,19 @@
 // Plates whose bending and stretching are coupled: uniform states of plies that are not symmetric, Navier's solution of
 // an antisymmetric cross-ply plate, a beam with a rib on one side.
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/formulation.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/solve/coupled_plate.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
 #include "post/files/sinks.hpp"
 #include "post/files/summary.hpp"
+#include "tests/dense.hpp"
 #include "tests/verification/sections/plates_of_sections.hpp"
 
 using namespace plates_of_sections;
@@ -161,6 +165,33 @@ TEST_CASE("coupled sections: plies, loads and plate turned together have the sam
   CHECK(turned.found.strain_energy() == Approx(plain.found.strain_energy()).epsilon(1e-9));
   CHECK(turned.found.coupling_energy == Approx(plain.found.coupling_energy).epsilon(1e-9));
   CHECK(plain.found.coupling_energy < -0.1 * plain.found.bending_energy);
+}
+
+TEST_CASE("coupled sections: the stiffness of both has the rigid motions and is positive beside them") {
+  auto section = of_plies({ply(0, 0.1), ply(60, 0.1)});
+  section.plies[0].nu12 = -0.6, section.plies[1].nu12 = 0.4;  // residuals of bonds have other shares of A and of D
+  section.plies[0].E1 = 1500;
+  auto c = patch(section, 0, six(1, 0, 0, 0, 0, 0));
+  c.discretization.spacing = 0.2;
+  const auto made = discretise(c);
+  const auto points = Eigen::Index(made.plate->points());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * points, 6 * points);
+  const auto add = [&](const PointMatrix& matrix, Eigen::Index row, Eigen::Index column) {
+    for (std::size_t k = 0; k < matrix.points(); ++k)
+      for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
+        const auto i = 3 * Eigen::Index(matrix.row[b]), j = 3 * Eigen::Index(k);
+        K.block<3, 3>(row + i, column + j) = matrix.block[b];
+        K.block<3, 3>(row + j, column + i) = matrix.block[b].transpose();
+      }
+  };
+  add(made.plate->stiffness(), 0, 0), add(made.membrane->stiffness(), 3 * points, 3 * points);
+  add(made.plate->coupling(), 0, 3 * points), add(made.plate->coupling(), 3 * points, 0);
+  for (Eigen::Index i = 0; i < K.rows(); ++i)  // deflections of the plane have none
+    if (i >= 3 * points && i % 3 == 0) K(i, i) = 1;
+  const Eigen::VectorXd found = dense::eigenvalues(K);
+  INFO(found.head(8).transpose() << " of " << found.tail(1));
+  CHECK(found.head(6).cwiseAbs().maxCoeff() < 1e-10 * found.tail(1)[0]);
+  CHECK(found[6] > 1e-6 * found.tail(1)[0]);
 }
 
 TEST_CASE("coupled sections: von Mises stress of the worse face of a bent and pulled cross-ply") {
@@ -372,4 +403,55 @@ TEST_CASE("a run of a coupled section: reactions, energies, load cases that add 
     CHECK(both.at_end(quantity, 1) == Approx(pulled.at_end(quantity)).epsilon(1e-8));
     CHECK(both.at_end(quantity, 2) == Approx(2 * bent.at_end(quantity) - 3 * pulled.at_end(quantity)).epsilon(1e-7));
   }
+}
+
+TEST_CASE("a crack beside an eccentric rib: the releases in bending and in the plane are those of the energy") {
+  const auto run = [](double half_length) {
+    const auto text = fmt::format(R"([section]
+young = 1000.0
+poisson = 0.3
+thickness = 0.05
+[geometry]
+outline = {{ rectangle = [0.0, 0.0, 1.0, 1.0] }}
+cracks = [[[0.5, {}], [0.5, {}]]]
+[discretization]
+spacing = 0.02
+formulation = "galerkin"
+[[support]]
+kind = "simply_supported_hard"
+edges = ["left", "right", "top"]
+[[support]]
+kind = "simply_supported_hard"
+edges = ["bottom"]
+in_plane = "fixed"
+[[stiffener]]
+along = [[0.0, 0.3], [1.0, 0.3]]
+bending = 0.05
+axial = 20.0
+eccentricity = 0.08
+[[load]]
+kind = "pressure"
+value = 1.0
+[[load]]
+kind = "edge_traction"
+edges = ["left", "right"]
+value = 1.0
+[analysis]
+kind = "static"
+[srif]
+)",
+                                  0.65 - half_length, 0.65 + half_length);
+    post::ResultsInMemory results;
+    return cases::run(cases::read_case_text(text, "rib", {}), {.folder = {}, .quiet = true, .in_memory = &results});
+  };
+  const double step = 0.02;
+  const auto longer = run(0.2 + step), shorter = run(0.2 - step), middle = run(0.2);
+  const auto strain = [](const post::Summary& summary) { return summary.energy.at(0).second; };
+  const double released = (strain(longer) - strain(shorter)) / (2 * step);  // by both tips
+  double bending = 0, in_plane = 0;
+  for (const auto* one : post::recommended(middle.srif)) bending += *one->G, in_plane += *one->membrane->G;
+  INFO("bending " << bending << ", in the plane " << in_plane << ", energy " << released << ": "
+                  << (bending + in_plane) / released - 1);
+  CHECK(in_plane > 0.05 * bending);
+  CHECK(bending + in_plane == Approx(released).epsilon(0.01));
 }
