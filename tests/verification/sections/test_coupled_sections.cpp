@@ -374,7 +374,7 @@ struct Run {
     const auto found = std::ranges::find(results.tables, "probes", &std::pair<std::string, post::Table>::first);
     REQUIRE(found != results.tables.end());
     const auto& table = found->second;
-    return std::get<double>(table.rows.at(row)[table.column("end_" + quantity)]);
+    return std::get<double>(table.rows.at(row)[table.column(quantity)]);
   }
 };
 
