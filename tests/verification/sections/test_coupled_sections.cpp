@@ -453,5 +453,5 @@ kind = "static"
   INFO("bending " << bending << ", in the plane " << in_plane << ", energy " << released << ": "
                   << (bending + in_plane) / released - 1);
   CHECK(in_plane > 0.05 * bending);
-  CHECK(bending + in_plane == Approx(released).epsilon(0.01));
+  CHECK(bending + in_plane == Approx(released).epsilon(0.005));  // measured: -0.21 %
 }
