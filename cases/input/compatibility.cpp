@@ -12,7 +12,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 36> words{{
+constexpr std::array<std::pair<Part, std::string_view>, 38> words{{
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -34,6 +34,8 @@ constexpr std::array<std::pair<Part, std::string_view>, 36> words{{
     {combinations, "`[[combination]]`"},
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
+    {coupled_section, "plies that are not symmetric, or a stiffener with `eccentricity`"},
+    {axial_stiffener, "`stiffener.axial`"},
     {factors_to_accuracy, "`srif.accuracy`"},
     {richardson, "`srif.richardson`"},
     {second_formulation, "`srif.second_formulation`"},
@@ -89,6 +91,13 @@ constexpr const char* equilibria =
 constexpr const char* settlements = "load[].kind";
 constexpr const char* of_bending = "compares factors of bending, not N1 and N2 of loads in the plane: remove it";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
+constexpr const char* coupled_at_rest =
+    "bending and stretching that are coupled are found at rest only yet: choose \"static\", make plies symmetric, or "
+    "remove stiffener[].eccentricity";
+constexpr const char* axial_at_rest =
+    "the axial stiffness of stiffeners acts at rest only yet: choose \"static\", or remove stiffener[].axial";
+constexpr const char* of_uncoupled =
+    "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
 
 const std::vector<Exclusion> excluded_pairs{
@@ -222,6 +231,40 @@ const std::vector<Exclusion> excluded_pairs{
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
     {load_in_plane, processes, "load", by_one_process("loads in the plane cannot be run")},
+    {coupled_section, motion, "analysis.kind", coupled_at_rest},
+    {coupled_section, frequencies, "analysis.kind", coupled_at_rest},
+    {coupled_section, harmonic, "analysis.kind", coupled_at_rest},
+    {coupled_section, buckling, "analysis.kind", coupled_at_rest},
+    {coupled_section, large_deflections, "analysis.nonlinear",
+     "plates whose bending and stretching are coupled are linear yet: remove it, make plies symmetric, or remove "
+     "stiffener[].eccentricity"},
+    {coupled_section, touching_faces, "cracks.contact",
+     "contact is found where only faces that touch couple bending and stretching: remove it, or "
+     "stiffener[].eccentricity"},
+    {coupled_section, unilateral_foundation, "foundation",
+     "soil that lifts off is not found beside coupled bending and stretching yet: remove lifts_off, make plies "
+     "symmetric, or remove stiffener[].eccentricity"},
+    {coupled_section, settlement, settlements,
+     "\"settlement\" given: supports that move are not carried beside coupled bending and stretching yet: remove it, "
+     "make plies symmetric, or remove stiffener[].eccentricity"},
+    {coupled_section, temperature, "load",
+     "heat would stretch a section whose bending and stretching are coupled, which is not carried yet: remove it, make "
+     "plies symmetric, or remove stiffener[].eccentricity"},
+    {coupled_section, growth, "growth",
+     "cracks grow by factors of bending and tension that do not act on each other: remove it, or "
+     "stiffener[].eccentricity"},
+    {coupled_section, factors_to_accuracy, "srif.accuracy", of_uncoupled},
+    {coupled_section, richardson, "srif.richardson", of_uncoupled},
+    {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
+    {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
+    {axial_stiffener, motion, "analysis.kind", axial_at_rest},
+    {axial_stiffener, frequencies, "analysis.kind", axial_at_rest},
+    {axial_stiffener, harmonic, "analysis.kind", axial_at_rest},
+    {axial_stiffener, buckling, "analysis.kind", axial_at_rest},
+    {axial_stiffener, large_deflections, "analysis.nonlinear",
+     "axial forces of stiffeners do not bear on deflections yet: remove it, or stiffener[].axial"},
+    {axial_stiffener, growth, "growth",
+     "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
 };
 
 }  // namespace
@@ -265,6 +308,8 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.combinations.empty(), combinations);
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
+  add(content.coupled(), coupled_section);
+  add(std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches), axial_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);
     add(srif->richardson, richardson);

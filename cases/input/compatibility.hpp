@@ -33,6 +33,8 @@ enum class Part {
   combinations,
   varied_section,
   directed_section,
+  coupled_section,
+  axial_stiffener,
   factors_to_accuracy,
   richardson,
   second_formulation,

@@ -122,6 +122,9 @@ Fields<plate::Stiffener> stiffener_fields() {
       number<S>("torsion", "force length^2", &S::torsion, {0}, "GJ, against the twist along the beam"),
       number<S>("shear", "force", &S::shear, positive, "k G A; without it the beam does not shear"),
       number<S>("mass", "mass/length", &S::mass, {0}, "of the beam: in motion, frequencies and own weight"),
+      number<S>("axial", "force", &S::axial, {0}, "EA, against the strain along the beam"),
+      number<S>("eccentricity", "length", &S::eccentricity, {},
+                "z of the axis of the beam, which couples bending and stretching; needs axial"),
   };
 }
 

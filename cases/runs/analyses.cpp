@@ -343,6 +343,7 @@ std::unique_ptr<PlateAnalysis> analysis_of(const ValidatedPlate& ready, Outputs&
   if (c.analysis.kind == Analysis::Kind::buckling) return buckling(ready, outputs);
   if (c.moves() && ready.membrane) return stretched_motion(ready, outputs, checkpoints);
   if (c.analysis.nonlinear) return large_deflections(ready, outputs);
+  if (c.coupled()) return coupled_plate(ready, outputs);
   return std::make_unique<SinglePlate>(ready, outputs, checkpoints);
 }
 

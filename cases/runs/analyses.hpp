@@ -27,8 +27,8 @@ struct ValidatedPlate {
   };
   plate::Stopwatch stopwatch;
   std::unique_ptr<plate::Formulation> plate;
-  std::unique_ptr<plate::Formulation>
-      membrane;  // where loads act there, the middle plane stretches, or faces of cracks touch
+  /// Where loads act there, the middle plane stretches, bending and stretching are coupled, or faces of cracks touch.
+  std::unique_ptr<plate::Formulation> membrane;
   std::vector<std::string> warnings;
   std::vector<post::TipMethods> tip_methods, membrane_methods;
   post::OtherFactors other_factors;
@@ -55,6 +55,9 @@ std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Ou
 
 /// Equilibrium with large deflections (von Karman).
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs);
+
+/// Equilibrium of a plate whose bending and stretching are coupled (plate::Problem::coupled()).
+std::unique_ptr<PlateAnalysis> coupled_plate(const ValidatedPlate& ready, Outputs& outputs);
 
 /// Motion under loads in the plane or with large deflections. `checkpoints`: as run().
 std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Outputs& outputs,

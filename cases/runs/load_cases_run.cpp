@@ -13,6 +13,7 @@
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -43,9 +44,10 @@ struct LoadCaseState {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
   plate::Heat heat;
-  plate::State strained = plate::no_state();           // plate::StaticResult
-  std::optional<InPlaneState> in_plane = {};           // where loads of any load case act there
-  std::optional<plate::LargeDeflections> curved = {};  // where they were asked for
+  plate::State strained = plate::no_state();              // plate::StaticResult
+  std::optional<InPlaneState> in_plane = {};              // where loads of any load case act there
+  std::optional<plate::LargeDeflections> curved = {};     // where they were asked for
+  std::optional<plate::CoupledEquilibrium> coupled = {};  // of a plate whose bending and stretching are
 
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
@@ -104,6 +106,7 @@ public:
 private:
   void solve_stretched();
   void find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now);
+  void find_both(post::LoadCaseSummary& one, LoadCaseState& now);
   void look(post::LoadCaseSummary one, const LoadCaseState& now, std::size_t step);
   plate::Instant instant_of(const LoadCaseState& now, std::size_t step) const;
   void react(post::LoadCaseSummary& one, double number, const LoadCaseState& now);
@@ -124,6 +127,7 @@ private:
   };
   Deepest deepest_;
   std::unique_ptr<const plate::StretchedPlate> stretched_;  // with large deflections
+  std::unique_ptr<const plate::CoupledPlate> coupled_;      // where bending and stretching are coupled
   std::vector<post::LoadCaseSummary> found_;
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
   post::Table srifs_{post::srif_columns(), {}}, reactions_;
@@ -135,6 +139,11 @@ plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step)
   const auto number = double(found_.size() + 1);
   if (const auto& curved = now.curved)
     return {step, number, now.state, {}, 0, curved->external_work, curved->bending_energy + curved->membrane_energy};
+  if (const auto& both = now.coupled) {
+    const double work = post::slow_work(plate_, now.load, now.state) +
+                        post::slow_work(*ready_.membrane, now.in_plane->load, both->membrane);
+    return {step, number, now.state, {}, 0, work, both->strain_energy(), 0, -2 * work};
+  }
   const auto& strained = now.what_strains();
   const double work = post::slow_work(plate_, now.load, now.state) +
                       plate::PrescribedDisplacements(plate_, now.load, now.lift).work(strained);
@@ -143,12 +152,12 @@ plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step)
 
 /// Evaluates and records a state in equilibrium under a load.
 void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std::size_t step) {
-  const auto& [load, lift, state, heat, less, stretched, curved] = known;
+  const auto& [load, lift, state, heat, less, stretched, curved, coupled] = known;
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
   post::require_finite(state, when, plate_);
   if (const double w = state.row(0).cwiseAbs().maxCoeff();
-      w > deepest_.deflection && !curved && plate_.offers(plate::Feature::stretching))
+      w > deepest_.deflection && !curved && !coupled && plate_.offers(plate::Feature::stretching))
     deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
   std::optional<MembraneResult> in_plane;
   if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
@@ -194,8 +203,10 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
 /// Adds the reactions to a load.
 void LoadCases::react(post::LoadCaseSummary& one, double number, const LoadCaseState& now) {
   post::ReactionRows reactions;
-  reactions.add(number, plate_, plate_, now.what_strains(),
-                now.curved ? plate::Forces(now.load + now.curved->on_bending) : now.load);
+  plate::Forces load = now.load;
+  if (now.curved) load += now.curved->on_bending;
+  if (now.coupled) load += now.coupled->on_bending;
+  reactions.add(number, plate_, plate_, now.what_strains(), load);
   if (reactions.empty()) return;
   auto table = reactions.table();
   reactions_.columns = table.columns;
@@ -211,6 +222,12 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
   if (known.curved) {
     auto result = membrane_results(membrane, *known.curved, now.load, wanted, where);
+    factors_in_plane_.push_back(result.factors);
+    return result;
+  }
+  if (known.coupled) {
+    auto result = membrane_results(plate_, membrane, *known.coupled, {known.load, now.load}, wanted, where);
+    if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
     factors_in_plane_.push_back(result.factors);
     return result;
   }
@@ -276,8 +293,24 @@ std::vector<std::string> LoadCases::warnings() const {
   return result;
 }
 
-/// Finds the equilibrium with large deflections under the loads of a load case or combination.
+/// Finds the equilibrium of a plate whose bending and stretching are coupled.
+void LoadCases::find_both(post::LoadCaseSummary& one, LoadCaseState& now) {
+  const auto& analysis = content().analysis;
+  auto& about = summary().analysis;
+  auto found = coupled_->equilibrium({now.load, now.in_plane->load}, {analysis.tolerance, analysis.max_iterations, {}});
+  stopwatch().lap("solve");
+  require_equilibrium(plate_, found.of_both, analysis.tolerance, one.name);
+  one.iterations = found.of_both.iterations, one.residual = found.of_both.residual;
+  about.iterations = about.iterations.value_or(0) + found.of_both.iterations;
+  about.residual = std::max(about.residual.value_or(0), *one.residual);
+  now.state = found.bending, now.in_plane->state = found.membrane;
+  now.coupled = std::move(found);
+}
+
+/// Finds the equilibrium with large deflections, or of bending and stretching together, under the loads of a load case
+/// or combination.
 void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now) {
+  if (coupled_) return find_both(one, now);
   auto& summary = this->summary();
   auto& about = summary.analysis;
   auto found = stretched_->equilibrium({now.load, now.in_plane->load}, {content().analysis.tolerance, {}});
@@ -297,14 +330,25 @@ void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now)
   now.curved = std::move(found);
 }
 
-/// Solves every load case and combination by itself, as states with large deflections do not add up.
+/// Solves every load case and combination by itself, as states with large deflections do not add up, and the factor of
+/// bending and stretching together is there.
 void LoadCases::solve_stretched() {
   const auto& problem = plate_.problem();
   auto& summary = this->summary();
-  summary.analysis.method = "newton", summary.analysis.tolerance = content().analysis.tolerance;
+  summary.analysis.tolerance = content().analysis.tolerance;
   post::Progress progress(quiet(), "load cases");
   const auto all = double(problem.load_cases.size() + problem.combinations.size());
-  stretched_ = std::make_unique<plate::StretchedPlate>(plate_, *ready_.membrane);
+  const auto tell_factor = [&](std::size_t bytes) {
+    summary.scene.push_back({"factor", "", double(bytes) / double(plate_.cloud().plate_points), 0});
+  };
+  if (content().analysis.nonlinear) {
+    summary.analysis.method = "newton";
+    stretched_ = std::make_unique<plate::StretchedPlate>(plate_, *ready_.membrane);
+  } else {
+    summary.analysis.method = "direct", summary.analysis.stop_reason = "residual below tolerance";
+    coupled_ = std::make_unique<plate::CoupledPlate>(plate_, *ready_.membrane);
+    tell_factor(coupled_->factor_bytes());
+  }
   std::vector<LoadCaseState> loads;
   for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
     post::LoadCaseSummary one{problem.load_cases[i].name};
@@ -312,10 +356,9 @@ void LoadCases::solve_stretched() {
     now.state = plate::zero_state(plate_.points()), now.in_plane = loaded_in_plane(i);
     loads.push_back(now);
     find_equilibrium(one, now);
-    if (i == 0)
-      summary.scene.push_back(
-          {"factor", "", double(now.curved->factor_bytes) / double(plate_.cloud().plate_points), 0});
-    look(std::move(one), now, now.curved->iterations);
+    if (i == 0 && stretched_) tell_factor(now.curved->factor_bytes);
+    const auto iterations = one.iterations.value_or(0);
+    look(std::move(one), now, iterations);
     stopwatch().lap("srif");
     progress.update(double(found_.size()) / all, problem.load_cases[i].name);
   }
@@ -325,12 +368,13 @@ void LoadCases::solve_stretched() {
     progress.update(double(found_.size()) / all, one.name);
   }
   progress.done();
-  summary.analysis.stop_reason =
-      fmt::format("residual below tolerance in {} load steps", summary.load_steps.rows.size());
+  if (stretched_)
+    summary.analysis.stop_reason =
+        fmt::format("residual below tolerance in {} load steps", summary.load_steps.rows.size());
 }
 
 void LoadCases::solve() {
-  if (content().analysis.nonlinear) return solve_stretched();
+  if (content().analysis.nonlinear || content().coupled()) return solve_stretched();
   auto& summary = this->summary();
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;
@@ -456,7 +500,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
     sum = {zero, plate::no_state(), zero, {}};
     if (!in_plane || !in_plane->acts)
       warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
-    else if (largest > 0)
+    else if (largest > 0 && !coupled_)
       warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
   sum.in_plane = std::move(in_plane);
@@ -465,7 +509,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
     for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
   if (!cancels) sum.heat = plate::heat_of(plate_, shares);
   post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
-  if (stretched_) find_equilibrium(one, sum);
+  if (stretched_ || coupled_) find_equilibrium(one, sum);
   const auto iterations = one.iterations.value_or(0);
   look(std::move(one), sum, iterations);
 }

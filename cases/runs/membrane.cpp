@@ -11,6 +11,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/crack_contact.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -78,6 +79,20 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   result.summary.strain_energy = found.membrane_energy;
   result.summary.external_work = found.external_work;
   result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
+  return result;
+}
+
+MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
+                                const MembraneFactorsWanted& wanted, const std::string& where) {
+  auto result = membrane_results(membrane, found.membrane, loads.in_plane + found.on_membrane, wanted, where);
+  result.summary.strain_energy = found.stretching_energy;
+  result.summary.external_work = post::slow_work(membrane, loads.in_plane, found.membrane);
+  result.summary.residual = found.of_both.residual;
+  if (!plate.section().couples()) return result;
+  result.of_both = plate.resultants(found.bending);
+  plate::couple(*result.of_both, result.forces, plate.section());
+  result.fields.force = result.forces.moments;
   return result;
 }
 
@@ -208,6 +223,7 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   const auto& problem = plate.problem();
   if (!plate.offers(plate::Feature::stretching) || plate.distributed()) return std::nullopt;
   if (problem.unilateral() || problem.faces_touch() || plate::has_prescribed_displacements(plate)) return std::nullopt;
+  if (problem.coupled() || std::ranges::any_of(problem.stiffeners, &plate::Stiffener::stretches)) return std::nullopt;
   const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
   if (!(share > small && share < large)) return std::nullopt;
   const auto points = double(plate.points());
@@ -227,8 +243,12 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
 
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,
                   const MembraneResult& result) {
-  frame.resultants.von_mises = plate::von_mises(frame.resultants, plate.sections(), result.forces, membrane.sections());
   frame.in_plane = result.fields;
+  if (result.of_both) {
+    frame.resultants = *result.of_both;
+    return;
+  }
+  frame.resultants.von_mises = plate::von_mises(frame.resultants, plate.sections(), result.forces, membrane.sections());
 }
 
 std::string of_plane(std::string warning) {

@@ -8,7 +8,9 @@
 
 namespace plate {
 class Formulation;
+struct CoupledEquilibrium;
 struct LargeDeflections;
+struct PlateLoads;
 struct LoadStep;
 struct Stretch;
 struct Analysis;
@@ -25,6 +27,7 @@ struct MembraneResult {
   std::vector<post::Srif> factors;  // N1 and N2 as K1 and K2
   post::MembraneSummary summary;
   std::vector<std::string> warnings;
+  std::optional<plate::Resultants> of_both = {};  // moments of a section that couples
 };
 
 /// Factors that are wanted of a plate in its plane. Without `options` none are.
@@ -69,6 +72,12 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
                                 const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
                                 const std::string& where);
+
+/// Results in the plane of an equilibrium of a plate whose bending and stretching are coupled.
+/// @throws plate::NumericalError  a number is not finite
+MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
+                                const MembraneFactorsWanted& wanted, const std::string& where);
 
 /// The rows of load_steps.csv.
 post::Table load_steps(const std::vector<plate::LoadStep>& steps);

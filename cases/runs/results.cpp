@@ -223,7 +223,8 @@ void Results::finish() {
     if (!content().faces_touch()) {
       outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
       const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ &&
-                             !content().analysis.nonlinear && plate_.offers(plate::Feature::touching_faces);
+                             !content().analysis.nonlinear && !content().coupled() &&
+                             plate_.offers(plate::Feature::touching_faces);
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }
   }

@@ -9,6 +9,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"
+#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/files/result_checks.hpp"
@@ -71,6 +72,56 @@ void LargeDeflectionRun::solve() {
 void LargeDeflectionRun::finish() {
   outputs_.recorder().table("load_steps", summary().load_steps);
   results_.finish();
+}
+
+/// Equilibrium of a plate whose bending and stretching are coupled.
+class CoupledRun : public PlateAnalysis {
+public:
+  CoupledRun(const ValidatedPlate& ready, Outputs& outputs)
+      : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
+
+  void solve() override;
+  void finish() override { results_.finish(); }
+
+private:
+  Results results_;
+};
+
+void CoupledRun::solve() {
+  const auto& analysis = content().analysis;
+  auto& summary = this->summary();
+  post::Progress progress(quiet(), "factorisation");
+  const auto& membrane = *ready_.membrane;
+  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load()};
+  const plate::CoupledPlate both(plate_, membrane);
+  const auto found = both.equilibrium(loads, {analysis.tolerance, analysis.max_iterations, {}});
+  progress.done();
+  stopwatch().lap("solve");
+
+  post::describe(summary.analysis, "direct", found.of_both, analysis.tolerance);
+  summary.scene.push_back({"factor", "", double(both.factor_bytes()) / double(plate_.cloud().plate_points), 0});
+  require_equilibrium(plate_, found.of_both, analysis.tolerance, "in equilibrium");
+  const double strain = found.strain_energy(), work = post::slow_work(plate_, loads.across, found.bending) +
+                                                      post::slow_work(membrane, loads.in_plane, found.membrane);
+  plate::Instant end{found.of_both.iterations, 0, found.bending, {}, 0, work, strain, 0, -2 * work};
+  end.stretched = &found.on_bending;
+  results_.in_plane(membrane, membrane_results(plate_, membrane, found, loads,
+                                               {content().srif, ready_.membrane_methods}, "in the plane"));
+  results_.sample(end, true);
+  stopwatch().lap("srif");
+  results_.frame(end);
+  summary.energy = {{"strain", strain},
+                    {"bending", found.bending_energy},
+                    {"stretching", found.stretching_energy},
+                    {"coupling", found.coupling_energy},
+                    {"external_work", work}};
+  // of beams that act in the plane this would be a part only
+  if (std::ranges::none_of(content().stiffeners, &plate::Stiffener::stretches))
+    add_elastic_support_energy(plate_, found.bending, summary);
+  if (strain == 0)
+    post::require_motion(plate_, post::forces_of(plate_), found.bending, work, summary.warnings);
+  else
+    post::EnergyBalance(post::EnergyBalance::Plate::rests).check({strain, strain, work}, "in equilibrium");
 }
 
 /// Factors of the same case with all spacings twice as wide; none where no such plate can be had.
@@ -148,6 +199,10 @@ void BucklingRun::finish() {
 
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs) {
   return std::make_unique<LargeDeflectionRun>(ready, outputs);
+}
+
+std::unique_ptr<PlateAnalysis> coupled_plate(const ValidatedPlate& ready, Outputs& outputs) {
+  return std::make_unique<CoupledRun>(ready, outputs);
 }
 
 std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found) {

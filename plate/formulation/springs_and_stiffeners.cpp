@@ -44,13 +44,27 @@ void add_slope(const Node& node, const Point& along, double factor, Sum& form) {
   }
 }
 
-/// Adds an element between two places: E I and G J by the difference of the slopes, and the shear angle by what makes
-/// it the cubic line of Hermite, one after the other with the beam's own shear.
-void add_element(const Stiffener& beam, const Node& a, const Node& b, ElasticSupportSum& sum) {
+/// Stiffness EA of the axis at z = e by what slopes are of a law: of the fibre at z = 1, or of the middle plane, whose
+/// strains are e kappa and epsilon of EA (epsilon + e kappa)^2.
+double axial_by(PlateLaw law, const Stiffener& beam) {
+  switch (law) {
+    case PlateLaw::membrane:
+      return beam.axial;
+    case PlateLaw::coupling:
+      return beam.axial * beam.eccentricity;
+    case PlateLaw::bending:
+      break;
+  }
+  return beam.axial * beam.eccentricity * beam.eccentricity;
+}
+
+/// Adds an element between two places: E A, E I and G J by the difference of the slopes, and the shear angle by what
+/// makes it the cubic line of Hermite, one after the other with the beam's own shear.
+void add_element(const Stiffener& beam, PlateLaw law, const Node& a, const Node& b, ElasticSupportSum& sum) {
   const Point way = b.at - a.at, along = way.normalized(), across(-along.y(), along.x());
   const double length = way.norm();
   const auto add = [&](double stiffness, const std::function<void(Sum&)>& fill) {
-    if (stiffness <= 0) return;
+    if (stiffness == 0) return;
     Sum form;
     fill(form);
     std::vector<FormTerm> terms;
@@ -61,6 +75,8 @@ void add_element(const Stiffener& beam, const Node& a, const Node& b, ElasticSup
   const auto difference = [&](const Point& direction) {
     return [&, direction](Sum& form) { add_slope(b, direction, 1, form), add_slope(a, direction, -1, form); };
   };
+  if (const double axial = axial_by(law, beam); axial != 0) add(axial / length, difference(along));
+  if (law != PlateLaw::bending) return;
   add(beam.bending / length, difference(along));
   add(beam.torsion / length, difference(across));
   const double cubic = 12 * beam.bending / (length * length);
@@ -107,8 +123,9 @@ void for_elements(const Stiffener& beam, const geometry::Tessellation& cells,
 
 }  // namespace
 
-void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, ElasticSupportSum& sum) {
-  for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, a, b, sum); });
+void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tessellation& cells,
+                   ElasticSupportSum& sum) {
+  for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, law, a, b, sum); });
 }
 
 std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells) {
@@ -290,7 +307,7 @@ ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Tess
         if (!one.along.empty()) add_line(one, line_pieces(one.along, cells), cells.positions, sum);
         if (one.position && cells.sees(*one.position)) add_point(one, cells.positions, points, sum);
       },
-      [&](const Stiffener& one, ElasticSupportSum& sum) { add_stiffener(one, cells, sum); });
+      [&](const Stiffener& one, ElasticSupportSum& sum) { add_stiffener(one, problem.section.law, cells, sum); });
 }
 
 }  // namespace plate

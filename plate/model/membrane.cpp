@@ -24,12 +24,25 @@ bool loaded_in_plane(const Problem& problem) {
   return std::ranges::any_of(problem.loads, &Load::in_plane);
 }
 
+bool has_plane(const Problem& problem) {
+  return problem.stretches || problem.faces_touch() || loaded_in_plane(problem) || problem.coupled();
+}
+
 Problem membrane_of(Problem problem) {
   problem.section.law = PlateLaw::membrane;
   for (auto& support : problem.supports) support.kind = kind_in_plane(support);
   for (auto& load : problem.loads)
     if (!load.in_plane()) load.action = BodyForce{};
-  problem.foundations.clear(), problem.springs.clear(), problem.stiffeners.clear();
+  problem.foundations.clear(), problem.springs.clear();
+  std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.stretches(); });
+  for (auto& beam : problem.stiffeners) beam.mass = 0;
+  return problem;
+}
+
+Problem coupling_of(Problem problem) {
+  problem.section.law = PlateLaw::coupling;
+  problem.foundations.clear(), problem.springs.clear();
+  std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.eccentric(); });
   return problem;
 }
 

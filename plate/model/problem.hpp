@@ -68,6 +68,8 @@ struct Problem {
     return std::ranges::any_of(foundations, [](const Foundation& one) { return one.unilateral; });
   }
   bool faces_touch() const { return faces && faces->contact; }
+  /// True where bending and stretching act on each other in linear theory.
+  bool coupled() const { return section.couples() || std::ranges::any_of(stiffeners, &Stiffener::eccentric); }
   bool elastically_supported() const { return !foundations.empty() || !springs.empty(); }
 };
 

@@ -34,7 +34,7 @@ bool needs_axis_parallel(SupportKind kind) {
 
 /// True of displacements in the plane that edges hold along their normal or tangent alone, where loads act there.
 bool one_way_in_plane(const Support& support, const Problem& problem) {
-  return (support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential) && loaded_in_plane(problem);
+  return (support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential) && has_plane(problem);
 }
 
 void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing, Subject subject,

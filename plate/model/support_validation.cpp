@@ -57,7 +57,10 @@ void check_stiffener(const Problem& problem, std::size_t number, std::vector<Ref
   const int places = !beam.edges.empty() + !beam.along.empty();
   if (places != 1)
     errors.push_back(fmt::format("{} given, must be one of edges and along", places == 0 ? "none" : "both"));
-  if (beam.bending + beam.torsion <= 0) errors.push_back("stiffens nothing: give bending or torsion > 0");
+  if (beam.bending + beam.torsion + beam.axial <= 0)
+    errors.push_back("stiffens nothing: give bending, torsion or axial > 0");
+  if (beam.eccentricity != 0 && beam.axial <= 0)
+    errors.push_back("eccentricity acts by the axial stiffness: give axial > 0");
   if (beam.shear && beam.bending <= 0) errors.push_back("shear is of a beam with bending > 0: remove it");
   if (!errors.empty()) found.push_back({Subject::stiffener, number, fmt::format("{}", fmt::join(errors, "; "))});
   for (std::size_t i = 0; i < problem.supports.size(); ++i)

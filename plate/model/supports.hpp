@@ -81,15 +81,22 @@ struct Spring {
   std::optional<geometry::Point> position;
 };
 
-/// A beam in the middle plane along edges or a line, tied to the plate's deflection and rotations: it bends and twists
-/// with the plate, and takes no force along itself.
+/// A beam along edges or a line, tied to the plate's deflection and rotations, and with an axial stiffness to its
+/// displacements in the plane: it bends, twists and stretches with the plate.
 struct Stiffener {
   double bending = 0;           // EI [force length^2]
   double torsion = 0;           // GJ [force length^2]
   std::optional<double> shear;  // k G A [force]; without it the beam's slope is the plate's (Bernoulli)
   double mass = 0;              // rho A [mass/length]
+  double axial = 0;             // EA [force]
+  double eccentricity = 0;      // z of its axis [length]
   std::vector<std::string> edges;
   geometry::Polyline along;
+
+  /// True where it acts in the plane.
+  bool stretches() const { return axial > 0; }
+  /// True where it bends as it is pulled.
+  bool eccentric() const { return stretches() && eccentricity != 0; }
 };
 
 }  // namespace plate

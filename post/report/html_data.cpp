@@ -240,10 +240,9 @@ std::string text_of(const plate::Spring& spring) {
 }
 
 std::string text_of(const plate::Stiffener& beam) {
-  Members members{{"bending", json_number(beam.bending)},
-                  {"torsion", json_number(beam.torsion)},
-                  {"mass", json_number(beam.mass)},
-                  {"edges", text_of(beam.edges)}};
+  Members members{{"bending", json_number(beam.bending)}, {"torsion", json_number(beam.torsion)},
+                  {"axial", json_number(beam.axial)},     {"eccentricity", json_number(beam.eccentricity)},
+                  {"mass", json_number(beam.mass)},       {"edges", text_of(beam.edges)}};
   if (!beam.along.empty()) members.emplace_back("along", text_of(beam.along));
   return json_object(members);
 }

@@ -237,7 +237,7 @@ function plate_words() {
     ["Thickness", of(s.thickness, "length")],
     ["Supports", plate.supports.length ? plate.supports.map(support).join("; ") : "none"],
     ...plate.foundations.map(one => ["Foundation", `modulus ${shown(one.modulus)}${one.shear ? `, shear ${shown(one.shear)}` : ""}${one.patch ? " beneath a part" : ""}${one.lifts_off ? ", the plate may lift off" : ""}`]),
-    ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
+    ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "axial", "eccentricity", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
     ...plate.springs.map(one => ["Springs", `${["deflection", "rotation_normal", "rotation_tangential", "rotation"].filter(key => one[key]).map(key => `${spaced(key)} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : ""}${one.along ? " along a line" : ""}`]),
     ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],
     ...(plate.beginning ? [["Beginning", plate.beginning]] : []),
