@@ -31,10 +31,11 @@ const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, SrifMethod met
 
 /// Pairs at one time: of the last discretisations in a row that have both integrals, with a fit. Where no energy is
 /// released the fit tells the factors.
-std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, std::size_t tip, double h) {
+std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, RowsOfStep rows, std::size_t row, std::size_t tip,
+                        double h) {
   std::vector<Pair> result;
   for (const auto& one : path) {
-    const auto& srifs = one.rows.at(row);
+    const auto& srifs = (one.*rows).at(row);
     const auto *domain = find(srifs, tip, SrifMethod::domain_integral),
                *extension = find(srifs, tip, SrifMethod::virtual_crack_extension),
                *fit = find(srifs, tip, SrifMethod::series_fit);
@@ -154,12 +155,12 @@ double truncation(const std::vector<AccuracyStep>& path, std::size_t tip) {
 }
 
 /// Course of the factors of a tip; without the times at which some discretisations are too few.
-Course course_of(const std::vector<AccuracyStep>& path, std::size_t tip, double thickness) {
+Course course_of(const std::vector<AccuracyStep>& path, RowsOfStep rows, std::size_t tip, double thickness) {
   constexpr std::size_t enough = 3;
   Course result;
   std::size_t least = path.size();
-  for (std::size_t row = 0; row < path.back().rows.size(); ++row) {
-    result.push_back(pairs(path, row, tip, thickness));
+  for (std::size_t row = 0; row < (path.back().*rows).size(); ++row) {
+    result.push_back(pairs(path, rows, row, tip, thickness));
     least = std::min(least, result.back().size());
   }
   if (least < enough) return {};
@@ -169,13 +170,13 @@ Course course_of(const std::vector<AccuracyStep>& path, std::size_t tip, double 
 
 }  // namespace
 
-std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness) {
+std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness, RowsOfStep of) {
   std::vector<std::vector<Srif>> result;
-  if (path.empty() || path.back().rows.empty()) return result;
-  const auto& rows = path.back().rows;
+  if (path.empty() || (path.back().*of).empty()) return result;
+  const auto& rows = path.back().*of;
   for (const auto* first : recommended(rows.front())) {
     const std::size_t tip = first->tip;
-    const Course course = course_of(path, tip, thickness);
+    const Course course = course_of(path, of, tip, thickness);
     if (course.empty()) continue;
     auto found = refined(course);
     level(found, truncation(path, tip));
