@@ -89,7 +89,6 @@ constexpr const char* own_estimates = "estimates the error itself: remove srif.r
 constexpr const char* equilibria =
     "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
-constexpr const char* of_bending = "compares factors of bending, not N1 and N2 of loads in the plane: remove it";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
 constexpr const char* coupled_at_rest =
     "bending and stretching that are coupled are found at rest only yet: choose \"static\", make plies symmetric, or "
@@ -196,8 +195,6 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, growth_of_heated_cracks_in_motion, "growth",
      "growth in motion takes no account of loads in the plane: let cracks grow at rest, with unstable = \"stop\" or "
      "\"jump\""},
-    {load_in_plane, factors_to_accuracy, "srif.accuracy", of_bending},
-    {load_in_plane, second_formulation, "srif.second_formulation", of_bending},
     {large_deflections, settlement, settlements,
      "\"settlement\" given: supports that move are not carried with large deflections yet: remove it, or nonlinear"},
     {large_deflections, unilateral_foundation, "foundation",

@@ -97,12 +97,16 @@ void SinglePlate::solve_static() {
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
   auto result = ready_.solution ? *ready_.solution : plate::static_solution(plate_, analysis_, options);
-  const MembraneFactorsWanted in_plane_wanted{content().srif, ready_.membrane_methods};
+  const MembraneFactorsWanted in_plane_wanted{
+      .options = content().srif,
+      .methods = ready_.membrane_methods,
+      .known = ready_.factors_in_plane.empty() ? nullptr : &ready_.factors_in_plane};
   std::optional<MembraneResult> in_plane;
   if (content().faces_touch())
     in_plane = touch(result, in_plane_wanted);
   else if (ready_.membrane)
-    in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted);
+    in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted,
+                                ready_.solution_in_plane ? &*ready_.solution_in_plane : nullptr);
   const auto& solution = result.solution;
   progress.done();
   summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get(),

@@ -35,9 +35,10 @@ struct ValidatedPlate {
   std::optional<Steps> steps;  // of a motion; without a limit where it takes no steps but rows
   plate::BeginOfMotion begin;
   // of a plate that has been solved already:
-  std::optional<plate::StaticResult> solution;
+  std::optional<plate::StaticResult> solution, solution_in_plane;
   std::optional<plate::LanczosMotion> motion;
   std::vector<std::vector<post::Srif>> factors;  // at all times: of each tip what all sizes tend to, then of this plate
+  std::vector<post::Srif> factors_in_plane;      // of a plate at rest: N1 and N2 as K1 and K2, among `factors` too
   std::optional<post::AccuracySummary> accuracy;  // of the search for its discretisation
 };
 

@@ -44,7 +44,7 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
                                 const std::string& where, const plate::Stretch* stretch) {
-  const auto& [options, methods, all_rings, largest_before] = wanted;
+  const auto& [options, methods, all_rings, largest_before, known] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
@@ -53,7 +53,7 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
   if (options) {
-    result.factors = post::srifs(membrane, *options, methods, state, all_rings, nullptr, stretch);
+    result.factors = known ? *known : post::srifs(membrane, *options, methods, state, all_rings, nullptr, stretch);
     std::vector<double> none, &largest = largest_before ? *largest_before : none;
     if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
     for (const auto& some :
@@ -153,9 +153,10 @@ void require_balance(const post::MembraneSummary& summary, const std::string& wh
 }
 
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
-                                const MembraneFactorsWanted& wanted) {
+                                const MembraneFactorsWanted& wanted, const plate::StaticResult* solved) {
   const std::string where = "in the plane";
-  const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
+  const auto found =
+      solved ? *solved : plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
   const auto& solution = found.solution;
   require_equilibrium(membrane, solution, analysis.tolerance, where);
   auto result = membrane_results(membrane, solution.state, membrane.total_load(), wanted, where);

@@ -35,13 +35,14 @@ struct MembraneFactorsWanted {
   const std::optional<post::SrifOptions>& options;
   const std::vector<post::TipMethods>& methods;
   bool all_rings = true;
-  std::vector<double>* largest = nullptr;  // of a motion: the largest factor of every tip at earlier times
+  std::vector<double>* largest = nullptr;          // of a motion: the largest factor of every tip at earlier times
+  const std::vector<post::Srif>* known = nullptr;  // the factors, where they are known already
 };
 
-/// Solves a plate in its plane under all its loads.
+/// Solves a plate in its plane under all its loads. `solved`: its equilibrium, where that is known already.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
-                                const MembraneFactorsWanted& wanted);
+                                const MembraneFactorsWanted& wanted, const plate::StaticResult* solved = nullptr);
 
 /// Results of a plate in its plane in a state of equilibrium under a load. `where`: in messages;
 /// `stretch`: of its middle plane by the deflections.

@@ -141,6 +141,9 @@ void in_plane(Text out, const std::vector<Srif>& srifs, bool si) {
       fmt::format_to(out, "in the plane{}:\n{:>4} {:>13} {:>13} {:>8}\n", si ? " [N m^-1/2]" : "", "tip", "N1", "N2",
                      "error");
     fmt::format_to(out, "{}", in_plane_text(*one));
+    if (one->second && one->second->in_plane)
+      fmt::format_to(out, "tip {}: {} gives N1 {:.6g}, N2 {:.6g}: {:.2f} % apart\n", one->tip, one->second->formulation,
+                     one->second->in_plane->N[0], one->second->in_plane->N[1], 100 * one->second->in_plane->difference);
   }
 }
 

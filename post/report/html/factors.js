@@ -88,7 +88,8 @@ function second_formulations(indices) {
   return indices.filter(i => data.summary.srif[i].second_formulation).map(i => {
     const one = data.summary.srif[i], second = one.second_formulation, path = `srif[${i}].second_formulation`;
     return element("li", {}, `Tip ${one.tip}, ${second.formulation} by ${spaced(second.method)}: `, factor_names.map(name => [`${name} `, value(`${path}.${name}`, 6), ", "]),
-      `${percent(second.difference)} apart`);
+      `${percent(second.difference)} apart`,
+      "difference_in_plane" in second ? ["; ", ["N1", "N2"].map(name => [`${name} `, value(`${path}.${name}`, 6), ", "]), `${percent(second.difference_in_plane)} apart`] : "");
   });
 }
 
