@@ -49,12 +49,14 @@ constexpr std::array<std::pair<Part, std::string_view>, 38> words{{
     {frozen_pieces, "`growth.fallen = \"freeze\"`"},
     {local_preconditioner, "`analysis.preconditioner = \"local\"`"},
     {layers, "supports in layers outside the plate"},
+    {hubs, "supports of kind `\"hub\"`"},
+    {hubs_on_springs, "hubs with `k_w`"},
     {nodes_on_edges, "`discretization.boundary` other than `\"images\"`"},
     {processes, "several processes (`pdplate_distributed`)"},
 }};
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 24> features{{
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -79,6 +81,7 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
     {plate::Feature::stretching,
      "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion, growth and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
+    {plate::Feature::hubs_in_holes, "supports of kind `\"hub\"` in holes"},
 }};
 
 std::string by_one_process(const char* what) {
@@ -98,6 +101,9 @@ constexpr const char* axial_at_rest =
 constexpr const char* of_uncoupled =
     "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
+constexpr const char* hub_springs = "support[].k_w";
+constexpr const char* hub_inertia =
+    "the mass of a hub that moves along w is not carried in motion yet: remove k_w (its centre rests)";
 
 const std::vector<Exclusion> excluded_pairs{
     {lanczos, impact, "analysis.method",
@@ -182,6 +188,12 @@ const std::vector<Exclusion> excluded_pairs{
     {processes, local_preconditioner, "analysis.preconditioner", by_one_process("\"local\" cannot be made")},
     {processes, nodes_on_edges, "discretization.boundary", by_one_process("only \"images\" can be run")},
     {processes, layers, layer_kinds, by_one_process("layers cannot be run")},
+    {processes, hubs, layer_kinds,
+     "\"hub\" ties points that different processes would own: run it by one (pdplate), or choose \"clamped\""},
+    {hubs, nodes_on_edges, "discretization.boundary",
+     "nodes at edges have no points that move as one body: choose \"images\""},
+    {hubs_on_springs, motion, hub_springs, hub_inertia},
+    {hubs_on_springs, frequencies, hub_springs, hub_inertia},
     {processes, second_formulation, "srif.second_formulation", by_one_process("a second formulation cannot be run")},
     {processes, factors_to_accuracy, "srif.accuracy", by_one_process("spacings cannot be sought")},
     {load_in_plane, harmonic, "analysis.kind",
@@ -264,6 +276,10 @@ const std::vector<Exclusion> excluded_pairs{
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
 };
 
+bool is_hub(const plate::Support& support) {
+  return support.kind == plate::SupportKind::hub;
+}
+
 }  // namespace
 
 const std::vector<Exclusion>& exclusions() {
@@ -315,6 +331,9 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   }
   add(a.preconditioner == plate::Preconditioning::local, local_preconditioner);
   add(std::ranges::any_of(content.supports, plate::is_layer, &plate::Support::kind), layers);
+  add(std::ranges::any_of(content.supports, is_hub), hubs);
+  add(std::ranges::any_of(content.supports, [](const auto& support) { return support.k_w.has_value(); }),
+      hubs_on_springs);
   add(content.discretization.boundary != plate::EdgeMethod::images, nodes_on_edges);
   add(distributed, processes);
   if (!g) return result;
@@ -336,7 +355,11 @@ std::vector<std::string> keys_of(const Exclusion& exclusion, const Case& content
   for (std::size_t i = 0; exclusion.key == settlements && i < content.loads.size(); ++i)
     if (content.loads[i].as<plate::Settlement>()) result.push_back(key_of_load(content, i) + ".kind");
   for (std::size_t i = 0; exclusion.key == layer_kinds && i < content.supports.size(); ++i)
-    if (plate::is_layer(content.supports[i].kind)) result.push_back(fmt::format("support[{}].kind", i));
+    if (exclusion.one == hubs || exclusion.other == hubs ? is_hub(content.supports[i])
+                                                         : plate::is_layer(content.supports[i].kind))
+      result.push_back(fmt::format("support[{}].kind", i));
+  for (std::size_t i = 0; exclusion.key == hub_springs && i < content.supports.size(); ++i)
+    if (content.supports[i].k_w) result.push_back(fmt::format("support[{}].k_w", i));
   return result.empty() ? std::vector{exclusion.key} : result;
 }
 

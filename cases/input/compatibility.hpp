@@ -48,6 +48,8 @@ enum class Part {
   frozen_pieces,
   local_preconditioner,
   layers,
+  hubs,
+  hubs_on_springs,
   nodes_on_edges,
   processes
 };

@@ -39,6 +39,13 @@ void add_layers(const std::vector<plate::Support>& supports, std::vector<Asked>&
                        "choose \"clamped\", \"simply_supported\" or \"simply_supported_hard\""});
 }
 
+void add_hubs(const std::vector<plate::Support>& supports, std::vector<Asked>& found) {
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    if (supports[i].kind == plate::SupportKind::hub && !supports[i].edges.empty())
+      found.push_back({"a hub in a hole", fmt::format("support[{}].edges", i), Feature::hubs_in_holes, true,
+                       "choose formulation = \"galerkin\", or give on = { circle = [x, y, radius] } without the hole"});
+}
+
 void add_analysis(const Analysis& analysis, std::vector<Asked>& found) {
   using enum plate::Preconditioning;
   const auto wanted = analysis.preconditioner;
@@ -113,6 +120,7 @@ std::vector<Asked> asked(const Case& content, const Reading& reading) {
   std::vector<Asked> found;
   add_horizon(content.discretization, reading, found);
   add_layers(content.supports, found);
+  add_hubs(content.supports, found);
   add_analysis(content.analysis, found);
   add_growth(content, found);
   add_stretching(content, found);

@@ -154,7 +154,8 @@ const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
                                         {"simply_supported_layer", SupportKind::simply_supported_layer},
                                         {"simply_supported_hard_layer", SupportKind::simply_supported_hard_layer},
                                         {"pinned", SupportKind::pinned},
-                                        {"in_plane", SupportKind::in_plane}}};
+                                        {"in_plane", SupportKind::in_plane},
+                                        {"hub", SupportKind::hub}}};
 
 const Words<InPlane> in_plane_words{{{"free", InPlane::free},
                                      {"fixed", InPlane::fixed},
@@ -365,6 +366,9 @@ Fields<Support> support_fields() {
                                     using enum SupportKind;
                                     return s.kind == pinned || s.kind == clamped || s.kind == in_plane;
                                   }};
+  const Condition<Support> hub{"kind", "kind = hub", [](const Support& s) { return s.kind == SupportKind::hub; }};
+  const Condition<Support> part{"kind", "kind = pinned, clamped, in_plane or hub",
+                                [inside, hub](const Support& s) { return inside.holds(s) || hub.holds(s); }};
   return {
       choice<Support, SupportKind>("kind", &Support::kind, support_kinds, "how the edge is held; see \"Supports\"")
           .required(),
@@ -375,7 +379,13 @@ Fields<Support> support_fields() {
       table<Support, geometry::Hole>(
           "on", Layout::inline_, &Support::patch,
           hole_fields("the disc of the plate that is held", "the polygon of the plate that is held"), check_hole)
-          .with(inside),
+          .with(part),
+      number<Support>("k_w", "force/length", &Support::k_w, positive,
+                      "stiffness under w of the centre; absent is rigid")
+          .with(hub),
+      number<Support>("k_phi", "force length/rad", &Support::k_phi, {0},
+                      "stiffness against the turn; 0 is free to turn, absent does not turn")
+          .with(hub),
       value<Support>(
           {"in_plane", "-", "one of " + in_plane_words.text(), "free, of kind symmetry normal, of kind in_plane fixed",
            "which displacements are held in the plane: both, or on edges that along the normal or the edge"},

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/hubs.hpp"
 #include "plate/formulation/support_constraints.hpp"
 #include "plate/model/space.hpp"
 
@@ -286,6 +287,7 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   Builder builder(result, moved, discretization.horizon_ratio, discretization.spacing);
   builder.pins();
   hold_inside(result, supports, moved);
+  hold_hubs(result, hubs_of(supports, result.cloud), supports, law, moved);
   builder.outermost_rows();
   builder.mirror_images();
   builder.general_images();

@@ -44,9 +44,9 @@ struct FictitiousPoint {
 /// Support that reactions are attributed to: all edges of one name, a point, a line or a part of the plate.
 struct Holder {
   enum class Place { edge, point, inside };
-  std::string name;  // of the edges; pin0, pin1, ..., line0, ..., part0, ... in the order of the case
+  std::string name;  // of the edges; pin0, ..., line0, ..., part0, ..., hub0, ... in the order of the case
   SupportKind kind = SupportKind::free;
-  std::optional<geometry::Point> position;  // of a point [length]
+  std::optional<geometry::Point> position;  // of a point or the centre of a hub [length]
   Place place = Place::edge;
   std::size_t support = 0;  // its number
 };

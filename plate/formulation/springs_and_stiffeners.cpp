@@ -8,6 +8,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/foundations.hpp"
+#include "plate/formulation/hubs.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/problem.hpp"
@@ -261,10 +262,13 @@ void add_edges(const Spring& spring, const geometry::Tessellation& cells, Elasti
   }
 }
 
-/// `found(foundation, sum)`, `hold(spring, sum)`, `stiffen(stiffener, sum)`: what they add.
+/// `hubs`: those of the supports, none in the plane; `found(foundation, sum)`, `hold(spring, sum)`,
+/// `stiffen(stiffener, sum)`: what they add.
 template <typename Found, typename Hold, typename Stiffen>
-ElasticSupports all(const Problem& problem, std::size_t points, const Found& found, const Hold& hold,
-                    const Stiffen& stiffen) {
+ElasticSupports all(const Problem& problem, const std::vector<Point>& positions, const std::vector<Hub>& hubs,
+                    const Found& found, const Hold& hold, const Stiffen& stiffen) {
+  const auto points = positions.size();
+  const auto holders = hubs.empty() ? std::vector<Holder>() : holders_of(problem.supports);
   std::vector<ElasticSupport> parts;
   for (std::size_t i = 0; i < problem.foundations.size(); ++i) {
     ElasticSupportSum sum(points);
@@ -275,6 +279,12 @@ ElasticSupports all(const Problem& problem, std::size_t points, const Found& fou
     ElasticSupportSum sum(points);
     hold(problem.springs[i], sum);
     parts.push_back(std::move(sum).taken(fmt::format("spring{}", i), problem.springs[i].position));
+  }
+  for (const auto& hub : hubs) {
+    ElasticSupportSum sum(points);
+    const auto& support = problem.supports[holders[hub.holder].support];
+    if (add_hub(hub, support, positions, sum))
+      parts.push_back(std::move(sum).taken(holders[hub.holder].name, hub.centre));
   }
   for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) {
     ElasticSupportSum sum(points);
@@ -287,8 +297,10 @@ ElasticSupports all(const Problem& problem, std::size_t points, const Found& fou
 }  // namespace
 
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud) {
+  const bool bends = problem.section.law == PlateLaw::bending;
   return all(
-      problem, cloud.size(), [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
+      problem, cloud.positions, bends ? hubs_of(problem.supports, cloud) : std::vector<Hub>(),
+      [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, problem, cloud, sum);
         if (!one.along.empty())
@@ -300,8 +312,11 @@ ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Clou
 
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Tessellation& cells) {
   const auto points = cells.positions.size();
+  const bool bends = problem.section.law == PlateLaw::bending;
+  const auto outline = geometry::to_lattice(problem.outline, cells.units);
   return all(
-      problem, points, [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cells, sum); },
+      problem, cells.positions, bends ? hubs_of(problem.supports, outline, cells) : std::vector<Hub>(),
+      [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cells, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, cells, sum);
         if (!one.along.empty()) add_line(one, line_pieces(one.along, cells), cells.positions, sum);

@@ -3,7 +3,8 @@
 namespace plate {
 namespace {
 
-/// The kind that holds the rotations as a support holds the displacements in the plane.
+/// The kind that holds the rotations as a support holds the displacements in the plane. A hub stays rigid where it
+/// moves.
 SupportKind kind_in_plane(const Support& support) {
   switch (support.held_in_plane()) {
     case InPlane::fixed:
@@ -15,7 +16,7 @@ SupportKind kind_in_plane(const Support& support) {
     case InPlane::free:
       break;
   }
-  return SupportKind::free;
+  return support.kind == SupportKind::hub ? SupportKind::hub : SupportKind::free;
 }
 
 }  // namespace

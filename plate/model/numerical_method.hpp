@@ -89,7 +89,8 @@ enum class Feature {
   stiffeners,      // beams on the plate
   in_plane,        // loads and displacements in the plane, at rest
   stretching,      // what couples both: large deflections, buckling; motion, growth, frequencies under loads there
-  touching_faces   // of cracks: contact
+  touching_faces,  // of cracks: contact
+  hubs_in_holes    // rigid discs that fill holes
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

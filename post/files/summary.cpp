@@ -124,7 +124,7 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
     const auto& [name, position] = reactions.supports[i];
     Json one{{"support", name}};
     if (position) one["x"] = position->x(), one["y"] = position->y();
-    one.update(json_of(reactions.balance.supports[i]));
+    one.update(json_of(reactions.supports[i].written(reactions.balance.supports[i])));
     if (rows)
       one["largest_force"] = reactions.largest[i].force, one["time_of_largest_force"] = reactions.largest[i].time;
     json["supports"].push_back(std::move(one));
@@ -283,6 +283,12 @@ Json json_of(const ResponsePeak& one) {
 Wrench& Wrench::operator+=(const Wrench& other) {
   force += other.force, moment_x += other.moment_x, moment_y += other.moment_y;
   return *this;
+}
+
+Wrench ReactionSummary::Support::written(Wrench wrench) const {
+  const bool hub = position && (name.starts_with("hub") || name.starts_with("hole"));  // edges have no position
+  if (hub) wrench.moment_x -= position->y() * wrench.force, wrench.moment_y += position->x() * wrench.force;
+  return wrench;
 }
 
 Wrench Balance::sum() const {

@@ -42,7 +42,10 @@ struct Balance {
 struct ReactionSummary {
   struct Support {
     std::string name;                         // of edges; of pins: pin0, pin1, ...
-    std::optional<geometry::Point> position;  // of a pin
+    std::optional<geometry::Point> position;  // of a pin, a spring or the centre of a hub
+
+    /// The wrench as it is written: of a hub with the moments about its centre.
+    Wrench written(Wrench wrench) const;
   };
   struct Largest {
     double time, force;

@@ -132,7 +132,8 @@ const char* words(plate::SupportKind kind) {
       {simply_supported_layer, "simply supported in a layer"},
       {simply_supported_hard_layer, "simply supported in a layer, hard"},
       {pinned, "pinned"},
-      {in_plane, "held in the plane"}};
+      {in_plane, "held in the plane"},
+      {hub, "hub"}};
   return all.at(kind);
 }
 
@@ -296,6 +297,8 @@ std::string text_of(const plate::Support& s) {
   Members members{{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}};
   if (!s.along.empty()) members.emplace_back("along", text_of(s.along));
   if (s.patch) members.emplace_back("patch", text_of(*s.patch));
+  if (s.k_w) members.emplace_back("k_w", json_number(*s.k_w));
+  if (s.k_phi) members.emplace_back("k_phi", json_number(*s.k_phi));
   constexpr std::array in_plane{"free", "fixed", "normal", "tangential"};
   if (const auto held = s.held_in_plane(); held != plate::InPlane::free)
     members.emplace_back("in_plane", json_text(in_plane[std::size_t(held)]));
