@@ -52,7 +52,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 36> words{{
 }};
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 24> features{{
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -75,8 +75,9 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
     {plate::Feature::in_plane, "loads in the plane"},
     {plate::Feature::stretching,
-     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion, growth and frequencies under loads in the plane"},
+     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
+    {plate::Feature::growth_in_plane, "`[growth]` under loads in the plane"},
 }};
 
 std::string by_one_process(const char* what) {

@@ -88,8 +88,9 @@ enum class Feature {
   sections,        // that vary or have directions
   stiffeners,      // beams on the plate
   in_plane,        // loads and displacements in the plane, at rest
-  stretching,      // what couples both: large deflections, buckling; motion, growth, frequencies under loads there
-  touching_faces   // of cracks: contact
+  stretching,      // what couples both: large deflections, buckling; motion, frequencies under loads there
+  touching_faces,  // of cracks: contact
+  growth_in_plane  // growth of cracks under loads there
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

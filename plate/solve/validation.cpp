@@ -11,6 +11,7 @@
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/model/wording.hpp"
 #include "plate/solve/analysis.hpp"
@@ -67,6 +68,21 @@ void check_two_level(const Formulation& plate, const Analysis& analysis, Validat
          "one line; choose \"diagonal\""});
 }
 
+/// The factor of a plate and its plane takes 180 n log2 p bytes at its peak, n bonds and p points.
+void check_memory(const Formulation& plate, const Analysis& analysis, Validation& result) {
+  constexpr double per_bond = 180;
+  if (!plate.problem().stretches || analysis.kind != Analysis::Kind::static_) return;
+  const double bytes =
+      per_bond * double(plate.bonds() + plate.fictitious_bonds()) * std::log2(double(plate.points()) + 2);
+  const double there = free_memory(), spacing = plate.discretization().spacing;
+  if (there > 0 && bytes > there)
+    result.refusals.push_back(
+        {Subject::spacing, 0,
+         fmt::format("{:g} given: large deflections of {} points take {:.3g} GB, {:.3g} GB are free; set `spacing` = "
+                     "{:.2g}",
+                     spacing, plate.points(), bytes / 1e9, there / 1e9, spacing * std::sqrt(bytes / there))});
+}
+
 }  // namespace
 
 Validation validate(const Formulation& plate, const Analysis& analysis) {
@@ -75,6 +91,7 @@ Validation validate(const Formulation& plate, const Analysis& analysis) {
   check_pins(plate, analysis, result);
   check_held(plate, analysis, result);
   check_two_level(plate, analysis, result);
+  check_memory(plate, analysis, result);
   return result;
 }
 
