@@ -5,6 +5,7 @@
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/formulations.hpp"
+#include "plate/model/membrane.hpp"
 #include "post/report/accuracy_search.hpp"
 
 namespace cases {
