@@ -56,7 +56,7 @@ constexpr std::array<std::pair<Part, std::string_view>, 38> words{{
 }};
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 24> features{{
+constexpr std::array<std::pair<plate::Feature, std::string_view>, 25> features{{
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -79,9 +79,10 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 24> features{{
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
     {plate::Feature::in_plane, "loads in the plane"},
     {plate::Feature::stretching,
-     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion, growth and frequencies under loads in the plane"},
+     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
     {plate::Feature::hubs_in_holes, "supports of kind `\"hub\"` in holes"},
+    {plate::Feature::growth_in_plane, "`[growth]` under loads in the plane"},
 }};
 
 std::string by_one_process(const char* what) {

@@ -74,7 +74,7 @@ void add_growth(const Case& content, std::vector<Asked>& found) {
 
 void add_stretching(const Case& content, std::vector<Asked>& found) {
   const auto add = [&](const char* words, const char* key) {
-    found.push_back({words, key, Feature::stretching, true, "choose formulation = \"galerkin\""});
+    found.push_back({words, key, Feature::stretching, true, "choose that or formulation = \"galerkin\""});
   };
   if (content.analysis.nonlinear) add("large deflections", "analysis.nonlinear");
   if (content.faces_touch())
@@ -85,7 +85,9 @@ void add_stretching(const Case& content, std::vector<Asked>& found) {
   if (content.analysis.kind == Analysis::Kind::frequencies)
     add("frequencies under loads in the plane", "analysis.kind");
   if (content.moves()) add("motion under loads in the plane", "analysis.kind");
-  if (content.growth && !content.growth->by_bonds()) add("growth under loads in the plane", "growth");
+  if (content.growth && !content.growth->by_bonds())
+    found.push_back({"growth under loads in the plane", "growth", Feature::growth_in_plane, true,
+                     "choose formulation = \"galerkin\""});
 }
 
 void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {

@@ -207,12 +207,32 @@ namespace {
 /// Estimates on a plate of fewer points, which is solved for it.
 double linear_theory_off_by(const plate::Problem& problem, double wider) {
   plate::Problem coarse = problem;
+  coarse.joined_with_plane = true;
   coarse.discretization = widened(problem.discretization, wider);
   const auto [plate, membrane, warnings, stopwatch] = plate::discretise(coarse);
   const auto made = membrane ? nullptr : plate->middle_plane();
   const auto& plane = membrane ? *membrane : *made;
   const auto found = plate::static_solution(*plate, {}, {});
   return plate::linear_theory_off(*plate, plane, found.solution.state, plane.total_load());
+}
+
+/// Estimates with points beyond edges that the plate and its plane share, as those of a linear run do not. `load`: in
+/// the plane.
+double linear_theory_off_joined(const plate::Formulation& plate, const plate::Formulation& plane,
+                                const plate::State& state, plate::Forces load) {
+  plate::Problem joined = plate.problem();
+  joined.joined_with_plane = true;
+  const auto [bent, membrane, warnings, stopwatch] = plate::discretise(joined);
+  const auto made = membrane ? nullptr : bent->middle_plane();
+  const auto& pulled = membrane ? *membrane : *made;
+  const auto shared = Eigen::Index(plate.cloud().plate_points);
+  plate::State bending = plate::zero_state(bent->points());
+  bending.leftCols(shared) = state.leftCols(shared);
+  bent->constraints().impose(bending);
+  plane.constraints().fold(load);
+  plate::Forces in_plane = plate::zero_like(bending);
+  in_plane.leftCols(shared) = load.leftCols(shared);
+  return plate::linear_theory_off(*bent, pulled, bending, in_plane);
 }
 
 }  // namespace
@@ -233,8 +253,10 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   try {
     if (one_load && points > 2 * some) return linear_theory_off_by(problem, std::sqrt(points / some));
     const auto made = membrane ? nullptr : plate.middle_plane();
-    return plate::linear_theory_off(plate, membrane ? *membrane : *made, state,
-                                    in_plane.cols() > 0 ? in_plane : plate::zero_like(state));
+    const auto& plane = membrane ? *membrane : *made;
+    const plate::Forces load = in_plane.cols() > 0 ? in_plane : plate::zero_state(plane.points());
+    if (plane.points() == plate.points()) return plate::linear_theory_off(plate, plane, state, load);
+    return linear_theory_off_joined(plate, plane, state, load);
   } catch (const plate::Refused&) {
     return std::nullopt;
   } catch (const plate::NumericalError&) {  // parts that move freely in the plane

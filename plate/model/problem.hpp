@@ -62,6 +62,7 @@ struct Problem {
   std::optional<Impact> impact = {};     // likewise
   bool stretches = false;                // its middle plane, with the deflections (von Karman)
   std::optional<CrackFaces> faces = {};  // of the cracks
+  bool joined_with_plane = false;        // states of the plate and its plane stand together: they share all points
 
   /// True where there is a unilateral foundation.
   bool unilateral() const {

@@ -101,16 +101,26 @@ Forces free_diagonal(const PointMatrix& matrix, const Constraints& constraints) 
   return result;
 }
 
-/// Adds a matrix of the first points of another to it, which has room for its blocks.
-void add(const PointMatrix& matrix, PointMatrix& sum) {
+/// The sum of a matrix and one of its first points.
+PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
+  const auto each_row = [](const PointMatrix& matrix, std::size_t k, const auto& visit) {
+    if (k >= matrix.points()) return;
+    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) visit(b);
+  };
+  auto result = zeros(of_all.points(), [&](Column& column, std::uint32_t k) {
+    for (const auto* matrix : {&of_first, &of_all})
+      each_row(*matrix, k, [&](std::size_t b) { column.couple(matrix->row[b]); });
+  });
 #pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < matrix.points(); ++k) {
-    auto at = sum.first[k];
-    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
-      while (sum.row[at] != matrix.row[b]) ++at;
-      sum.block[at] += matrix.block[b];
+  for (std::size_t k = 0; k < result.points(); ++k)
+    for (const auto* matrix : {&of_first, &of_all}) {
+      auto at = result.first[k];
+      each_row(*matrix, k, [&](std::size_t b) {
+        while (result.row[at] != matrix->row[b]) ++at;
+        result.block[at] += matrix->block[b];
+      });
     }
-  }
+  return result;
 }
 
 /// Work of loads that stay on the displacements of the plate and of its plane.
@@ -253,8 +263,7 @@ StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& ben
 /// The stiffness there, with the least share of its diagonal that makes it positive.
 std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
-  auto matrix = plane_.stretching().stiffness(now.bending, now.membrane);
-  add(bending_, matrix);
+  auto matrix = with_first(bending_, plane_.stretching().stiffness(now.bending, now.membrane));
   const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
       return std::make_unique<Factor>(lower, shift);
