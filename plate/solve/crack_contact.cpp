@@ -36,9 +36,11 @@ Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, std::size_t point
   return (result + result.transpose()) / 2;
 }
 
-void lift_compliance(Eigen::MatrixXd& compliance) {
+double lift_compliance(Eigen::MatrixXd& compliance) {
   constexpr double none = 1e-10;
-  compliance.diagonal().array() += none * compliance.diagonal().maxCoeff();
+  const double result = none * compliance.diagonal().maxCoeff();
+  compliance.diagonal().array() += result;
+  return result;
 }
 
 std::vector<FacePair> Formulation::face_pairs() const {
@@ -96,14 +98,15 @@ Eigen::VectorXd FaceRows::openings(const State& bending, const State& membrane) 
 }
 
 void FaceRows::press(const Eigen::VectorXd& forces, Forces& on_bending, Forces& on_membrane) const {
-  constexpr double rounding = 1e-9;  // faces that are pressed evenly do not bend the plate
+  constexpr double even = 1e-9, rounding = 1e-12;  // of the forces of a pair; of the largest
   const double most = forces.cwiseAbs().maxCoeff();
   const auto count = arms_.size();
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& pair = pairs_[std::size_t(i)];
     const double top = forces[i], bottom = forces[count + i];
     pair.press(top + bottom, on_membrane);
-    if (std::abs(top - bottom) > rounding * most) pair.press(arms_[i] * (top - bottom), on_bending);
+    const double couple = std::abs(top - bottom), both = std::abs(top) + std::abs(bottom);
+    if (couple > even * both && couple > rounding * most) pair.press(arms_[i] * (top - bottom), on_bending);
   }
 }
 

@@ -49,7 +49,7 @@ public:
   const Eigen::VectorXd& arms() const { return arms_; }  // h/2 at the pairs [length]
   /// Openings of all rows [length].
   Eigen::VectorXd openings(const State& bending, const State& membrane) const;
-  /// Adds the nodal forces of forces that press the rows apart.
+  /// Adds the nodal forces of forces that press the rows apart. Pairs that are pressed evenly do not bend the plate.
   void press(const Eigen::VectorXd& forces, Forces& on_bending, Forces& on_membrane) const;
   /// Size of an opening that is none but for the errors of an equilibrium [length].
   double error_of_openings(const State& bending, const State& membrane) const;
@@ -67,8 +67,9 @@ using Solutions = std::function<std::vector<State>(const std::vector<Forces>& lo
 /// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
 Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, std::size_t points, const Solutions& solutions);
 
-/// Gives what supports hold a compliance of rounding: faces that cannot turn, or cannot move, share a force evenly.
-void lift_compliance(Eigen::MatrixXd& compliance);
+/// Gives what supports hold a compliance of rounding, which is returned: faces that cannot turn, or cannot move, share
+/// a force evenly.
+double lift_compliance(Eigen::MatrixXd& compliance);
 
 /// Contact of the faces of cracks of a linear plate. The factors and the compliance of the faces are found once, for
 /// all loads.

@@ -13,7 +13,7 @@ StretchedContact::StretchedContact(const Formulation& plate, const MiddlePlane& 
       plane_(plane),
       rows_(plate),
       of_plane_(compliance(rows_.pairs(), points_, [&](const auto& loads) { return plane.solve(loads); })) {
-  lift_compliance(of_plane_);
+  lifted_ = lift_compliance(of_plane_);
 }
 
 Eigen::VectorXd StretchedContact::part(const State& bending, State& membrane, const Eigen::VectorXd& like) const {
@@ -21,7 +21,9 @@ Eigen::VectorXd StretchedContact::part(const State& bending, State& membrane, co
   const Eigen::VectorXd openings = rows_.openings(bending, membrane);
   const Eigen::VectorXd slopes = (openings.head(count) - openings.tail(count)) / 2;
   const double error = rows_.error_of_openings(bending, membrane);
-  const Eigen::VectorXd least = openings.head(count).cwiseMin(openings.tail(count));
+  // about `like`, so that what the compliance has more than the plane does nothing where nothing changes
+  const Eigen::VectorXd least =
+      openings.head(count).cwiseMin(openings.tail(count)) - lifted_ * (like.head(count) + like.tail(count));
   const Complementarity found(of_plane_, (least.array().abs() > error).select(least, 0));
   Eigen::VectorXd result = Eigen::VectorXd::Zero(2 * count);
   if (found.x.isZero(0)) return result;
@@ -76,9 +78,9 @@ Eigen::VectorXd StretchedContact::forces(const Tangent& tangent, const Solutions
     of_rows.rightCols(added.cols()) = added, known = rows.size();
     Eigen::MatrixXd C = of_rows(rows, Eigen::all);
     C = (C + C.transpose()).eval() / 2;
-    lift_compliance(C);
+    const double lifted = lift_compliance(C);
     const Eigen::VectorXd openings = free - of_rows * before(rows);
-    Eigen::VectorXd c = openings(rows);
+    Eigen::VectorXd c = openings(rows) - lifted * before(rows);
     c = (c.array().abs() > error).select(c, 0);
     std::vector<char> closed;
     for (const auto i : rows)

@@ -41,6 +41,7 @@ private:
   const MiddlePlane& plane_;
   FaceRows rows_;
   Eigen::MatrixXd of_plane_;  // compliance of the pairs in the plane
+  double lifted_;             // which it has more than the plane
 };
 
 }  // namespace plate
