@@ -316,16 +316,16 @@ TEST_CASE("contact: with large deflections small loads are those of linear theor
   const Run linear(pane(1e-6, false)), small(pane(1e-6));
   check_complementarity(small);
   const double force = sum_of(linear.column("pressure_bottom"));
-  CHECK(sum_of(small.column("pressure_bottom")) == Approx(force).epsilon(1e-4));
+  CHECK(sum_of(small.column("pressure_bottom")) == Approx(force).epsilon(1e-5));
   for (const std::size_t which : {0, 1}) {
-    CHECK(small.tip(which).K1 == Approx(linear.tip(which).K1).epsilon(1e-3));  // the steps of both tolerances
-    CHECK(small.tip(which).membrane->N[0] == Approx(linear.tip(which).membrane->N[0]).epsilon(1e-3));
+    CHECK(small.tip(which).K1 == Approx(linear.tip(which).K1).epsilon(1e-5));
+    CHECK(small.tip(which).membrane->N[0] == Approx(linear.tip(which).membrane->N[0]).epsilon(1e-5));
   }
   // and ten times the load has ten times the difference
   const auto off = [&](double load) {
     return sum_of(Run(pane(load)).column("pressure_bottom")) / (1e6 * load * force) - 1;
   };
-  CHECK(off(1e-3) / off(1e-4) == Approx(10).epsilon(0.1));
+  CHECK(off(1e-3) / off(1e-4) == Approx(10).epsilon(0.1));  // 10.02
 }
 
 TEST_CASE("contact: large deflections hold the crack open where N1 > 6 |K1| / h", "[in_plane]") {
@@ -339,7 +339,7 @@ TEST_CASE("contact: large deflections hold the crack open where N1 > 6 |K1| / h"
   for (const Run* one : {&closed, &open, &wide}) {
     check_complementarity(*one);
     auto energy = energies(*one);
-    CHECK(energy["strain"] == Approx(energy["external_work"]).epsilon(0.01));
+    CHECK(energy["strain"] == Approx(energy["external_work"]).epsilon(0.01));  // 0.6 %
     CHECK(energy["strain"] == Approx(energy["bending"] + energy["stretching"]));
   }
   CHECK(closed.summary.contact->closed_share == Approx(1));
