@@ -77,11 +77,9 @@ bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulati
 MembraneResult SinglePlate::touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted) {
   auto found = with_contact(plate_, *ready_.membrane, analysis_, wanted, bending);
   auto& summary = this->summary();
-  summary.contact = found.summary;
   summary.scene.push_back(
       {"factors of contact", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  outputs_.recorder().table("contact", std::move(found.faces));
-  results_.closed(std::move(found.closed));
+  results_.touching(std::move(found.faces));
   return std::move(found.in_plane);
 }
 

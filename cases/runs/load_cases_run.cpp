@@ -10,10 +10,12 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/coupled_plate.hpp"
+#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -48,6 +50,7 @@ struct LoadCaseState {
   std::optional<InPlaneState> in_plane = {};              // where loads of any load case act there
   std::optional<plate::LargeDeflections> curved = {};     // where they were asked for
   std::optional<plate::CoupledEquilibrium> coupled = {};  // of a plate whose bending and stretching are
+  std::optional<plate::TouchingFaces> touching = {};      // where faces of cracks may touch
 
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
@@ -107,13 +110,15 @@ private:
   void solve_stretched();
   void find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now);
   void find_both(post::LoadCaseSummary& one, LoadCaseState& now);
+  void touch(post::LoadCaseSummary& one, LoadCaseState& now);
+  void record_contact(post::LoadCaseSummary& one, const plate::TouchingFaces& found);
   void look(post::LoadCaseSummary one, const LoadCaseState& now, std::size_t step);
   plate::Instant instant_of(const LoadCaseState& now, std::size_t step) const;
   void react(post::LoadCaseSummary& one, double number, const LoadCaseState& now);
   MembraneResult look_in_plane(const post::LoadCaseSummary& one, const LoadCaseState& known);
   LoadCaseState loaded(std::size_t which) const;
   InPlaneState loaded_in_plane(std::size_t which) const;
-  InPlaneState solved_in_plane(std::size_t which, plate::StaticSolver& solver) const;
+  InPlaneState solved_in_plane(std::size_t which, std::optional<plate::StaticSolver>& solver) const;
   void combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   InPlaneState sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   std::vector<CombinedPart> parts_of(const post::LoadCaseSummary& combined, bool in_plane) const;
@@ -128,9 +133,10 @@ private:
   Deepest deepest_;
   std::unique_ptr<const plate::StretchedPlate> stretched_;  // with large deflections
   std::unique_ptr<const plate::CoupledPlate> coupled_;      // where bending and stretching are coupled
+  std::unique_ptr<const plate::ContactOfFaces> contact_;    // where faces of cracks may touch, without them
   std::vector<post::LoadCaseSummary> found_;
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
-  post::Table srifs_{post::srif_columns(), {}}, reactions_;
+  post::Table srifs_{post::srif_columns(), {}}, reactions_, faces_;
   std::vector<std::string> warnings_;
 };
 
@@ -152,7 +158,7 @@ plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step)
 
 /// Evaluates and records a state in equilibrium under a load.
 void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std::size_t step) {
-  const auto& [load, lift, state, heat, less, stretched, curved, coupled] = known;
+  const auto& [load, lift, state, heat, less, stretched, curved, coupled, touching] = known;
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
   post::require_finite(state, when, plate_);
@@ -161,7 +167,11 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
     deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
   std::optional<MembraneResult> in_plane;
   if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
-  const auto now = instant_of(known, step);
+  auto now = instant_of(known, step);
+  if (contact_) {  // it carries energy from the bending into the plane
+    now.strain_energy += in_plane->summary.strain_energy, now.external_work += in_plane->summary.external_work;
+    now.potential = -2 * now.external_work;
+  }
   const double number = now.time, work = now.external_work, strain = now.strain_energy;
   const double heated = plate::stored(plate_, heat, state);
   one.strain_energy = strain + heated, one.external_work = work + heated;
@@ -176,6 +186,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   if (in_plane) post::add_membrane(one.srif, in_plane->factors, plate_.section());
   ready_.other_factors.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (one.superposed()) post::widen_errors(one.srif, parts_of(one, false), plate_.section().thickness);
+  if (touching) post::close(one.srif, post::closed_tips(*touching, plate_.tips()), plate_.section());
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
   for (const auto& srif : one.srif)
@@ -239,7 +250,7 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   if (const double work = result.summary.external_work; now.acts && !post::moves(now.state, work, membrane))
     post::require_motion(membrane, {now.load}, now.state, work, warnings);
   for (const auto& text : warnings) warnings_.push_back(fmt::format("load case {}: in the plane, {}", one.name, text));
-  require_balance(result.summary, where);
+  if (!known.touching) require_balance(result.summary, where);
   return result;
 }
 
@@ -284,7 +295,7 @@ std::vector<std::string> LoadCases::warnings() const {
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
     tell(one.name, said);
     if (!ready_.membrane) continue;
-    tell(one.name, warnings_about_overlaps(one.srif, false));
+    if (!one.contact) tell(one.name, warnings_about_overlaps(one.srif, plate_.offers(plate::Feature::touching_faces)));
     const auto in_plane = of_loaded_tips(factors_in_plane_[i], stretched, h);
     auto of_factors = post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy());
     std::ranges::transform(of_factors, of_factors.begin(), of_plane);
@@ -327,7 +338,27 @@ void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now)
   if (!found.converged)
     throw plate::NumericalError(fmt::format("{}, large deflections: {}", one.name, found.stop_reason));
   now.state = found.bending, now.in_plane->state = found.membrane;
+  if (content().faces_touch()) record_contact(one, found.touching), now.touching = found.touching;
   now.curved = std::move(found);
+}
+
+/// Takes what the summary and contact.csv say of contact.
+void LoadCases::record_contact(post::LoadCaseSummary& one, const plate::TouchingFaces& found) {
+  auto said = faces_found(found, plate_);
+  one.contact = said.summary;
+  faces_.columns = std::move(said.faces.columns), faces_.columns.emplace_back("case");
+  for (auto& row : said.faces.rows) row.emplace_back(one.name), faces_.rows.push_back(std::move(row));
+}
+
+/// Adds to a state without contact what contact changes: states without it add up, those with it do not.
+void LoadCases::touch(post::LoadCaseSummary& one, LoadCaseState& now) {
+  if (!contact_) return;
+  auto& in_plane = now.in_plane->state;
+  auto found = (*contact_)({now.state, in_plane});
+  now.state += found.bending, in_plane += found.membrane;
+  if (now.strained.cols() > 0) now.strained += found.bending;
+  record_contact(one, found);
+  now.touching = std::move(found);
 }
 
 /// Solves every load case and combination by itself, as states with large deflections do not add up, and the factor of
@@ -381,7 +412,13 @@ void LoadCases::solve() {
   post::Progress progress(quiet(), "load cases");
   plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
   std::optional<plate::StaticSolver> in_plane;
-  if (ready_.membrane) in_plane.emplace(*ready_.membrane, analysis.static_method(), analysis.preconditioner);
+  if (ready_.membrane && plate::loaded_in_plane(problem))
+    in_plane.emplace(*ready_.membrane, analysis.static_method(), analysis.preconditioner);
+  if (content().faces_touch()) {
+    contact_ = std::make_unique<plate::ContactOfFaces>(plate_, *ready_.membrane);
+    const double bytes = double(contact_->bytes()) / double(plate_.cloud().plate_points);
+    summary.scene.push_back({"factors of contact", "", bytes, 0});
+  }
   std::vector<LoadCaseState> cases;
   plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
   all.converged = true;
@@ -402,11 +439,13 @@ void LoadCases::solve() {
       throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
                                               solution.stop_reason, solution.residual, analysis.tolerance));
     now.state = std::move(solution.state), now.strained = std::move(result.strained);
-    if (in_plane) now.in_plane = solved_in_plane(i, *in_plane), stopwatch().lap("solve");
-    look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
+    if (ready_.membrane) now.in_plane = solved_in_plane(i, in_plane), stopwatch().lap("solve");
+    if (!problem.combinations.empty()) cases.push_back(now);
+    post::LoadCaseSummary one{name, {}, solution.iterations, solution.residual};
+    touch(one, now);
+    look(std::move(one), now, solution.iterations);
     stopwatch().lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
-    if (!problem.combinations.empty()) cases.push_back(std::move(now));
   }
   for (const auto& one : problem.combinations) {
     plate::stop_if_asked("combinations", plate_.constraints());
@@ -441,14 +480,14 @@ InPlaneState LoadCases::loaded_in_plane(std::size_t which) const {
 }
 
 /// Solves the plate in its plane under the loads of a load case; without any it rests.
-InPlaneState LoadCases::solved_in_plane(std::size_t which, plate::StaticSolver& solver) const {
+InPlaneState LoadCases::solved_in_plane(std::size_t which, std::optional<plate::StaticSolver>& solver) const {
   const auto& membrane = *ready_.membrane;
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;
   auto result = loaded_in_plane(which);
   if (!result.acts) return result;
   auto solution =
-      solver(result.load, {analysis.tolerance, analysis.max_iterations, {}}, which + 1 < problem.load_cases.size())
+      (*solver)(result.load, {analysis.tolerance, analysis.max_iterations, {}}, which + 1 < problem.load_cases.size())
           .solution;
   require_equilibrium(membrane, solution, analysis.tolerance,
                       fmt::format("in the plane, {}", problem.load_cases[which].name));
@@ -510,6 +549,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
   if (!cancels) sum.heat = plate::heat_of(plate_, shares);
   post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
   if (stretched_ || coupled_) find_equilibrium(one, sum);
+  touch(one, sum);
   const auto iterations = one.iterations.value_or(0);
   look(std::move(one), sum, iterations);
 }
@@ -535,6 +575,7 @@ void LoadCases::finish() {
     recorder.table("reactions", std::move(reactions_));
   }
   if (!summary.load_steps.rows.empty()) recorder.table("load_steps", summary.load_steps);
+  if (!faces_.rows.empty()) recorder.table("contact", std::move(faces_));
   const auto said = warnings();
   summary.load_cases = std::move(found_);
   post::conclude(summary, {.section = section,

@@ -16,6 +16,7 @@ struct Stretch;
 struct Analysis;
 struct StaticResult;
 struct StaticSolution;
+struct TouchingFaces;
 }  // namespace plate
 
 namespace cases {
@@ -51,12 +52,18 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
                                 const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
 
-/// Equilibrium of a plate in its plane with contact of the faces of its cracks.
-struct ContactResult {
-  MembraneResult in_plane;
+/// What is said of contact of the faces of cracks.
+struct FacesFound {
   post::ContactSummary summary;
   post::Table faces;                    // contact.csv
   std::vector<post::ClosedTip> closed;  // of every tip
+};
+FacesFound faces_found(const plate::TouchingFaces& found, const plate::Formulation& plate);
+
+/// Equilibrium of a plate in its plane with contact of the faces of its cracks.
+struct ContactResult {
+  MembraneResult in_plane;
+  FacesFound faces;
   std::size_t factor_bytes = 0;
 };
 

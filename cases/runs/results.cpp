@@ -44,6 +44,12 @@ void Results::in_plane(const plate::Formulation& membrane, MembraneResult result
   outputs_.summary().membrane = in_plane_->summary;
 }
 
+void Results::touching(FacesFound found) {
+  outputs_.summary().contact = found.summary;
+  outputs_.recorder().table("contact", std::move(found.faces));
+  closed_ = std::move(found.closed);
+}
+
 /// Finds the stress by bending and membrane forces together, where the strain energy is larger than before.
 void Results::look_at_stress(const plate::Instant& now, const plate::Heat& heat) {
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, true, &heat);
@@ -222,8 +228,7 @@ void Results::finish() {
     outputs_.warn(in_plane_->warnings);
     if (!content().faces_touch()) {
       outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
-      const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ &&
-                             !content().analysis.nonlinear && !content().coupled() &&
+      const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ && !content().coupled() &&
                              plate_.offers(plate::Feature::touching_faces);
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }

@@ -56,6 +56,7 @@ void LargeDeflectionRun::solve() {
   end.stretched = &found.on_bending;
   results_.in_plane(membrane, membrane_results(membrane, found, loads.in_plane,
                                                {content().srif, ready_.membrane_methods}, "in the plane"));
+  if (content().faces_touch()) results_.touching(faces_found(found.touching, plate_));
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);

@@ -10,8 +10,10 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/stretched_contact.hpp"
 
 namespace plate {
 namespace {
@@ -182,6 +184,10 @@ State MiddlePlane::displacements(const State& bending, const Forces& load) const
   return result;
 }
 
+std::vector<State> MiddlePlane::solve(const std::vector<Forces>& loads) const {
+  return solutions(*factor_, unknowns_, constraints_, loads);
+}
+
 namespace {
 
 /// The positive root of a s + b s^3 = 1, b >= 0; infinite where there is none.
@@ -216,8 +222,9 @@ double linear_theory_off(const Formulation& plate, const Formulation& membrane, 
 /// A state with its membrane in equilibrium, under a share of the loads.
 struct StretchedPlate::Now {
   State bending, membrane;
-  Forces on_bending;  // of the stretched middle plane
-  Forces left;        // of all forces on the plate, folded
+  Forces on_bending;              // of the stretched middle plane
+  Forces left;                    // of all forces on the plate, folded
+  Eigen::VectorXd on_faces = {};  // contact forces on the rows of StretchedContact; empty where none may touch
   double bending_energy = 0, membrane_energy = 0, potential = 0, residual = 0;
 
   double energy() const { return bending_energy + membrane_energy + potential; }
@@ -236,6 +243,9 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
   std::vector<int> both;
   for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
   unknowns_ = unknowns(stacked(diagonal_, plane_.diagonal()), both);
+  if (!plate.problem().faces_touch()) return;
+  contact_ = std::make_unique<StretchedContact>(plate, plane_);
+  if (contact_->rows().pairs().empty()) contact_.reset();
 }
 
 StretchedPlate::~StretchedPlate() = default;
@@ -244,12 +254,16 @@ double StretchedPlate::norm(const Forces& forces) const {
   return std::sqrt((forces.array().square() * weight_.array()).sum());
 }
 
-StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& bending, double factor) const {
+/// `on_faces`: an estimate of the contact forces.
+StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& bending, double factor,
+                                       const Eigen::VectorXd& on_faces) const {
   Now now{bending, plane_.displacements(bending, factor * loads.in_plane), {}, {}};
+  if (contact_) now.on_faces = contact_->part(now.bending, now.membrane, on_faces);
   Forces on_membrane;
   plane_.stretching().internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
   plate_.internal_force(now.bending, now.left);
   now.left += now.on_bending + factor * loads.across;
+  if (contact_) contact_->rows().press(now.on_faces, now.left, on_membrane);
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
   now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
@@ -272,11 +286,55 @@ std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) c
     }
 }
 
-/// The deflections that a force on the plate causes there, with the plane following.
-State StretchedPlate::direction(const Factor& tangent, const Forces& force) const {
-  State result = solution(tangent, unknowns_, force).leftCols(Eigen::Index(plate_.points()));
-  plate_.constraints().impose(result);
-  return result;
+/// A change of a plate: of its deflections, of the displacements in the plane that follow, and of the contact forces.
+struct StretchedPlate::Way {
+  State bending, membrane;
+  Eigen::VectorXd on_faces = {};
+};
+
+/// Adds what a change of the contact forces does to the plate and its plane.
+void StretchedPlate::add_contact(const Factor& tangent, const Eigen::VectorXd& change, State& both) const {
+  Forces on_bending = zero_forces(plate_.points()), on_plane = on_bending;
+  contact_->rows().press(change, on_bending, on_plane);
+  both += solutions(tangent, unknowns_, of_both_, {stacked(on_bending, on_plane)}).front();
+}
+
+/// Newton's step by a tangent; with contact the one of least energy without overlap.
+StretchedPlate::Way StretchedPlate::step(const Factor& tangent, const Now& now) const {
+  State both = solution(tangent, unknowns_, stacked(now.left, zero_like(now.left)));
+  if (!contact_) {
+    State bending = of_plate(both);
+    plate_.constraints().impose(bending);
+    return {std::move(bending), {}};
+  }
+  of_both_.impose(both);
+  const auto solve = [&](const auto& loads) { return solutions(tangent, unknowns_, of_both_, loads); };
+  const State bending = now.bending + of_plate(both), membrane = now.membrane + of_plane(both);
+  auto on_faces = contact_->forces({bending, membrane, now.on_faces, {}, {}}, solve);
+  add_contact(tangent, on_faces - now.on_faces, both);
+  return {of_plate(both), of_plane(both), std::move(on_faces)};
+}
+
+/// Change of an equilibrium by the load factor; with contact rows that are pressed stay closed.
+StretchedPlate::Way StretchedPlate::rate(const Factor& tangent, const Now& now, const PlateLoads& loads) const {
+  Forces all = stacked(loads.across, loads.in_plane);
+  of_both_.fold(all);
+  State both = solution(tangent, unknowns_, all);
+  of_both_.impose(both);
+  if (!contact_) return {of_plate(both), of_plane(both)};
+  const auto solve = [&](const auto& some) { return solutions(tangent, unknowns_, of_both_, some); };
+  const auto& rows = contact_->rows();
+  const auto openings = rows.openings(now.bending, now.membrane);
+  const double error = rows.error_of_openings(now.bending, now.membrane);
+  std::vector<char> pressed, open;
+  for (Eigen::Index i = 0; i < openings.size(); ++i) {
+    pressed.push_back(now.on_faces[i] > 0);
+    open.push_back(!pressed.back() && openings[i] > error);
+  }
+  const State bending = of_plate(both), membrane = of_plane(both);
+  auto on_faces = contact_->forces({bending, membrane, Eigen::VectorXd::Zero(openings.size()), pressed, open}, solve);
+  add_contact(tangent, on_faces, both);
+  return {of_plate(both), of_plane(both), std::move(on_faces)};
 }
 
 /// Newton's iteration at the load factor of a step, each way as far as it lowers the energy.
@@ -299,10 +357,10 @@ bool StretchedPlate::iterate(Now& now, const PlateLoads& loads, const LargeDefle
     double shift = 0;
     const auto inverse = tangent(now, shift);
     step.snapped = step.snapped || shift > 0;
-    const State way = direction(*inverse, stacked(now.left, zero_like(now.left)));
+    const Way way = this->step(*inverse, now);
     double share = 1;
     for (int n = 0;; ++n, share /= 2) {
-      Now next = at(loads, now.bending + share * way, step.factor);
+      Now next = at(loads, now.bending + share * way.bending, step.factor, way.on_faces);
       const double room = rounding * (now.bending_energy + now.membrane_energy + std::abs(now.potential));
       if (next.energy() <= now.energy() + room || next.residual < now.residual / 2) {
         now = std::move(next);
@@ -318,7 +376,7 @@ struct StretchedPlate::Path {
   const PlateLoads* loads;
   Now now;
   double factor = 0, step = 1;  // of the loads
-  State rate;                   // of the deflections by the factor
+  Way rate;                     // by the factor
   double along = 0;             // of the displacement of the loads
   double work = 0;              // of the loads
   std::size_t bytes = 0;        // of the stiffness
@@ -329,13 +387,8 @@ struct StretchedPlate::Path {
 void StretchedPlate::look_ahead(Path& path) const {
   double shift = 0;
   const auto inverse = tangent(path.now, shift);
-  const auto& [across, in_plane] = *path.loads;
-  Forces all = stacked(across, in_plane);
-  of_both_.fold(all);
-  State rate = solution(*inverse, unknowns_, all);
-  of_both_.impose(rate);
-  path.rate = rate.leftCols(across.cols());
-  path.along = work_of(*path.loads, path.rate, rate.rightCols(across.cols()));
+  path.rate = rate(*inverse, path.now, *path.loads);
+  path.along = work_of(*path.loads, path.rate.bending, path.rate.membrane);
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
@@ -357,7 +410,9 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     LoadStep step;
     step.factor = path.factor + path.step > 1 - least ? 1 : path.factor + path.step;
     const double length = step.factor - path.factor;
-    Now next = at(*path.loads, path.now.bending + length * path.rate, step.factor);
+    Eigen::VectorXd on_faces;
+    if (contact_) on_faces = path.now.on_faces + length * path.rate.on_faces;
+    Now next = at(*path.loads, path.now.bending + length * path.rate.bending, step.factor, on_faces.cwiseMax(0));
     const bool found = iterate(next, *path.loads, options, step);
     result.iterations += step.iterations;
     if (!found) continue;
@@ -374,12 +429,19 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
   }
 }
 
+/// The plate before it is loaded.
+StretchedPlate::Now StretchedPlate::undeformed(const PlateLoads& loads) const {
+  Eigen::VectorXd on_faces;
+  if (contact_) on_faces = Eigen::VectorXd::Zero(2 * contact_->rows().arms().size());
+  return at(loads, zero_like(loads.across), 0, on_faces);
+}
+
 LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const {
   constexpr double far = 2;  // thicknesses, of the first step by linear theory
   LargeDeflections result;
-  Path path{.loads = &loads, .now = at(loads, zero_like(loads.across), 0), .rate = {}};
+  Path path{.loads = &loads, .now = undeformed(loads), .rate = {}};
   look_ahead(path);
-  const double linear = path.rate.row(0).cwiseAbs().maxCoeff();
+  const double linear = path.rate.bending.row(0).cwiseAbs().maxCoeff();
   if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);
   while (path.factor < 1 && advance(path, options, result)) {
   }
@@ -390,6 +452,10 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
   result.factor_bytes = path.bytes;
+  if (contact_) {
+    const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);
+    result.touching.faces = contact_->rows().contacts((now.on_faces.array() > 0).select(0, openings), now.on_faces);
+  }
   result.stretch = plane_.stretching().stretch(now.bending);
   result.membrane_forces = plane_.stretching().membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);

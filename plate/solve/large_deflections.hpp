@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/matrices/factor.hpp"
 #include "plate/solve/stretching.hpp"
 
 namespace plate {
 
 class Formulation;
+class StretchedContact;
 
 /// An equilibrium on the way to the full load.
 struct LoadStep {
@@ -38,6 +40,7 @@ struct LargeDeflections {
   Forces on_bending;         // of the stretched middle plane on the deflections
   Stretch stretch;           // of the middle plane by the deflections
   Eigen::Matrix3Xd membrane_forces;
+  TouchingFaces touching;  // its faces alone; none where contact was not asked for
   std::size_t iterations = 0, factor_bytes = 0;
   bool converged = false;
   std::string stop_reason;
@@ -58,6 +61,9 @@ public:
 
   /// The displacements under given deflections and a load in the plane.
   State displacements(const State& bending, const Forces& load) const;
+
+  /// Displacements of the flat plate by loads in the plane.
+  std::vector<State> solve(const std::vector<Forces>& loads) const;
 
   const Stretching& stretching() const { return *stretching_; }
   /// Supports and pins.
@@ -88,7 +94,8 @@ struct PlateLoads {
   Forces across, in_plane;
 };
 
-/// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains.
+/// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains; the
+/// faces of its cracks touch where the problem asks for it.
 /// States of both stand behind each other: the plate's points, then the same points in their plane.
 class StretchedPlate {
 public:
@@ -103,9 +110,13 @@ public:
 private:
   struct Now;
   struct Path;
-  Now at(const PlateLoads& loads, const State& bending, double factor) const;
+  struct Way;
+  Now at(const PlateLoads& loads, const State& bending, double factor, const Eigen::VectorXd& on_faces) const;
+  Now undeformed(const PlateLoads& loads) const;
   std::unique_ptr<Factor> tangent(const Now& now, double& shift) const;
-  State direction(const Factor& tangent, const Forces& force) const;
+  Way step(const Factor& tangent, const Now& now) const;
+  Way rate(const Factor& tangent, const Now& now, const PlateLoads& loads) const;
+  void add_contact(const Factor& tangent, const Eigen::VectorXd& change, State& both) const;
   bool iterate(Now& now, const PlateLoads& loads, const LargeDeflectionOptions& options, LoadStep& step) const;
   double norm(const Forces& forces) const;
   void look_ahead(Path& path) const;
@@ -119,6 +130,7 @@ private:
   Constraints of_both_;
   Forces weight_;
   Unknowns unknowns_;
+  std::unique_ptr<const StretchedContact> contact_;  // null where no faces may touch
 };
 
 }  // namespace plate

@@ -250,10 +250,16 @@ Json json_of(const AccuracySummary& accuracy) {
   return json;
 }
 
+Json json_of(const ContactSummary& contact) {
+  return {{"least_opening", contact.least_opening},
+          {"largest_pressure", contact.largest_pressure},
+          {"closed_share", contact.closed_share}};
+}
+
 Json json_of(const LoadCaseSummary& one) {
   Json json{{"name", one.name}};
   if (!one.of.empty()) json["of"] = json_of(one.of);
-  if (!one.of.empty() && one.large_deflections) json["superposed"] = false;
+  if (!one.of.empty() && !one.superposed()) json["superposed"] = false;
   add(json, "iterations", one.iterations);
   add(json, "residual", one.residual);
   json["srif"] = json_of(one.srif, one.faces);
@@ -261,6 +267,7 @@ Json json_of(const LoadCaseSummary& one) {
   if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
   json["energy"] = {{"strain", one.strain_energy}, {"external_work", one.external_work}};
   if (one.membrane) json["membrane"] = json_of(*one.membrane);
+  if (one.contact) json["contact"] = json_of(*one.contact);
   return json;
 }
 
@@ -337,10 +344,7 @@ std::string to_json(const Summary& summary) {
     json["buckling"] = Json::array();
     for (const auto& one : summary.buckling) json["buckling"].push_back(json_of(one));
   }
-  if (const auto& contact = summary.contact)
-    json["contact"] = {{"least_opening", contact->least_opening},
-                       {"largest_pressure", contact->largest_pressure},
-                       {"closed_share", contact->closed_share}};
+  if (summary.contact) json["contact"] = json_of(*summary.contact);
   if (!summary.load_steps.rows.empty()) json["load_steps"] = json_of(summary.load_steps);
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));
   if (!summary.resonances.empty()) json["resonances"] = summary.resonances;

@@ -131,9 +131,10 @@ struct LoadCaseSummary {
   double strain_energy = 0, external_work = 0;
   std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
   bool large_deflections = false;                // solved by itself, also a combination
+  std::optional<ContactSummary> contact = {};    // where faces of cracks may touch: solved by itself
 
   /// True of a combination that is the sum of states.
-  bool superposed() const { return !of.empty() && !large_deflections; }
+  bool superposed() const { return !of.empty() && !large_deflections && !contact; }
 };
 
 /// The largest of all load cases and combinations: K1, K2, K3, G, N1, N2 or the utilisation of a tip, and which of them
