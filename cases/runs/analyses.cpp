@@ -12,6 +12,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
@@ -54,6 +55,7 @@ public:
 private:
   void solve_static();
   MembraneResult touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted);
+  void check_balance(double strain, double work);
   void tell_energies(const plate::State& state, double in_plane);
   void solve_by_lanczos();
   void solve_dynamic();
@@ -105,8 +107,10 @@ void SinglePlate::solve_static() {
     in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted);
   const auto& solution = result.solution;
   progress.done();
-  summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get(),
-                                                ready_.membrane ? ready_.membrane->total_load() : plate::no_state());
+  const auto* membrane = ready_.membrane.get();
+  summary.linear_theory_off =
+      linear_theory_off(plate_, solution.state, membrane, membrane ? membrane->total_load() : plate::no_state(),
+                        membrane ? plate::heat_of(*membrane, 1) : plate::Heat());
   stopwatch().lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;
@@ -116,6 +120,7 @@ void SinglePlate::solve_static() {
   post::require_finite(solution.state, "in equilibrium", plate_);
   // faces that touch do no work on the whole, but carry some between bending and the plane
   const auto beside = content().faces_touch() ? in_plane->summary : post::MembraneSummary{};
+  const double stored = content().faces_touch() ? in_plane->stored : 0;
   const double work = post::slow_work(plate_, result) + beside.external_work;
   const double strain = plate_.strain_energy(result.what_strains()) + beside.strain_energy;
   plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
@@ -136,12 +141,17 @@ void SinglePlate::solve_static() {
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, analysis_.tolerance));
+  check_balance(strain - stored, work - stored);
+  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate_, summary.warnings);
+}
+
+/// Checks the energies of a plate at rest, without those that heat stores.
+void SinglePlate::check_balance(double strain, double work) {
   if (plate_.offers(plate::Feature::symmetry))
     post::EnergyBalance(post::EnergyBalance::Plate::rests)
         .check({strain + post::energy_about(plate_), strain, work}, "in equilibrium");
   else
-    look_for_coarseness(strain, work, plate_, summary.warnings);
-  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate_, summary.warnings);
+    look_for_coarseness(strain, work, plate_, summary().warnings);
 }
 
 /// Energies of a plate at rest; with contact those of its plane are among them.

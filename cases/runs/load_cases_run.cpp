@@ -35,7 +35,8 @@ struct InPlaneState {
   plate::Forces load;
   plate::State state;
   bool acts = false;
-  double residual = 0;  // relative; of a combination at most this
+  double residual = 0;    // relative; of a combination at most this
+  plate::Heat heat = {};  // among the load
 };
 
 /// Loads of a load case or combination, and the state.
@@ -68,6 +69,22 @@ plate::Forces forces_of_case(const plate::Formulation& plate, std::size_t which)
   std::vector<plate::Forces> acting;
   for (const auto k : plate::loads_of(plate.problem(), which)) result += acting.emplace_back(plate.loads()[k].forces);
   if (plate::cancel(plate, acting)) result.setZero();
+  return result;
+}
+
+/// Factors of all loads in a load case.
+std::vector<double> shares_of(const plate::Problem& problem, std::size_t which) {
+  std::vector<double> result(problem.loads.size(), 0);
+  for (const auto k : plate::loads_of(problem, which)) result[k] = 1;
+  return result;
+}
+
+/// Factors of all loads in a combination.
+std::vector<double> shares_of(const plate::Combination& combination, const plate::Problem& problem) {
+  const auto factors = plate::factors_of(combination, problem.load_cases);
+  std::vector<double> result(problem.loads.size(), 0);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    for (const auto k : plate::loads_of(problem, i)) result[k] += factors[i];
   return result;
 }
 
@@ -121,6 +138,7 @@ private:
     double deflection = 0;
     plate::State state;
     plate::Forces in_plane = plate::no_state();
+    plate::Heat heat = {};
   };
   Deepest deepest_;
   std::unique_ptr<const plate::StretchedPlate> stretched_;  // with large deflections
@@ -149,7 +167,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   post::require_finite(state, when, plate_);
   if (const double w = state.row(0).cwiseAbs().maxCoeff();
       w > deepest_.deflection && !curved && plate_.offers(plate::Feature::stretching))
-    deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
+    deepest_ = {w, state, stretched ? stretched->load : plate::no_state(), stretched ? stretched->heat : plate::Heat()};
   std::optional<MembraneResult> in_plane;
   if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
   const auto now = instant_of(known, step);
@@ -210,19 +228,20 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   const auto where = fmt::format("in the plane, {}", one.name);
   const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
   if (known.curved) {
-    auto result = membrane_results(membrane, *known.curved, now.load, wanted, where);
+    auto result = membrane_results(membrane, *known.curved, now.load, now.heat, wanted, where);
     factors_in_plane_.push_back(result.factors);
     return result;
   }
-  auto result = membrane_results(membrane, now.state, now.load, wanted, where);
+  auto result = membrane_results(membrane, now.state, now.load, now.heat, wanted, where);
   if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
   factors_in_plane_.push_back(result.factors);
   result.summary.residual = now.residual;
   std::vector<std::string> warnings;
-  if (const double work = result.summary.external_work; now.acts && !post::moves(now.state, work, membrane))
+  if (const double work = result.summary.external_work - result.stored;
+      now.acts && !post::moves(now.state, work, membrane))
     post::require_motion(membrane, {now.load}, now.state, work, warnings);
   for (const auto& text : warnings) warnings_.push_back(fmt::format("load case {}: in the plane, {}", one.name, text));
-  require_balance(result.summary, where);
+  require_balance(result, where);
   return result;
 }
 
@@ -280,7 +299,9 @@ std::vector<std::string> LoadCases::warnings() const {
 void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now) {
   auto& summary = this->summary();
   auto& about = summary.analysis;
-  auto found = stretched_->equilibrium({now.load, now.in_plane->load}, {content().analysis.tolerance, {}});
+  const auto& plane = *now.in_plane;
+  auto found = stretched_->equilibrium({now.load, plane.load, plate::stiffness_of_heat(*ready_.membrane, plane.heat)},
+                                       {content().analysis.tolerance, {}});
   stopwatch().lap("solve");
   one.large_deflections = true;
   one.iterations = found.iterations, one.residual = found.steps.empty() ? 0 : found.steps.back().residual;
@@ -370,20 +391,19 @@ void LoadCases::solve() {
     stopwatch().lap("srif");
   }
   if (deepest_.deflection > 0)
-    summary.linear_theory_off = linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane);
+    summary.linear_theory_off =
+        linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane, deepest_.heat);
   stopwatch().lap("solve");
   progress.done();
 }
 
 LoadCaseState LoadCases::loaded(std::size_t which) const {
   LoadCaseState result{forces_of_case(plate_, which), plate::no_state(), {}, {}};
-  std::vector<double> shares(plate_.loads().size(), 0);
   for (const auto k : plate::loads_of(plate_.problem(), which)) {
     const auto& one = plate_.loads()[k];
-    shares[k] = 1;
     if (one.lifts()) result.lift = result.lift.cols() > 0 ? plate::State(result.lift + one.lift) : one.lift;
   }
-  result.heat = plate::heat_of(plate_, shares);
+  result.heat = plate::heat_of(plate_, shares_of(plate_.problem(), which));
   return result;
 }
 
@@ -393,6 +413,7 @@ InPlaneState LoadCases::loaded_in_plane(std::size_t which) const {
   InPlaneState result{forces_of_case(*ready_.membrane, which), plate::zero_state(plate_.points())};
   result.acts =
       std::ranges::any_of(plate::loads_of(problem, which), [&](std::size_t k) { return problem.loads[k].in_plane(); });
+  result.heat = plate::heat_of(*ready_.membrane, shares_of(problem, which));
   return result;
 }
 
@@ -426,6 +447,7 @@ InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, cons
     const double size = std::abs(factors[i]) * folded_norm(membrane, part.load, plate::no_state());
     largest = std::max(largest, size), sum.residual += size * part.residual;
   }
+  sum.heat = plate::heat_of(membrane, shares_of(combination, membrane.problem()));
   const double size = folded_norm(membrane, sum.load, plate::no_state());
   if (size > 0) sum.residual /= size;
   if (largest == 0 || size > rounding * largest) return sum;
@@ -460,10 +482,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
       warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
   sum.in_plane = std::move(in_plane);
-  std::vector<double> shares(plate_.loads().size(), 0);
-  for (std::size_t i = 0; i < factors.size(); ++i)
-    for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
-  if (!cancels) sum.heat = plate::heat_of(plate_, shares);
+  if (!cancels) sum.heat = plate::heat_of(plate_, shares_of(combination, plate_.problem()));
   post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
   if (stretched_) find_equilibrium(one, sum);
   const auto iterations = one.iterations.value_or(0);

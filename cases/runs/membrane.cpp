@@ -41,18 +41,19 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 }  // namespace
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
-                                const plate::Forces& load, const MembraneFactorsWanted& wanted,
+                                const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
                                 const std::string& where, const plate::Stretch* stretch) {
   const auto& [options, methods, all_rings, largest_before] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
   result.forces = membrane.resultants(state);
+  plate::relieve(result.forces, membrane.section(), heat);
   result.fields.displacement.resize(2, points);
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
   if (options) {
-    result.factors = post::srifs(membrane, *options, methods, state, all_rings, nullptr, stretch);
+    result.factors = post::srifs(membrane, *options, methods, state, all_rings, &heat, stretch);
     std::vector<double> none, &largest = largest_before ? *largest_before : none;
     if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
     for (const auto& some :
@@ -62,21 +63,25 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
     post::require_finite(result.factors, where);
   }
   auto& summary = result.summary;
-  summary.strain_energy = membrane.strain_energy(state);
-  summary.external_work = post::slow_work(membrane, load, state);
+  result.stored = plate::stored(membrane, heat, state);
+  summary.strain_energy = membrane.strain_energy(state) + result.stored;
+  summary.external_work = post::slow_work(membrane, load, state) + result.stored;
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
   summary.reactions = reactions_of(membrane, state, load);
   return result;
 }
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
-                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
-                                const std::string& where) {
+                                const plate::Forces& in_plane, const plate::Heat& heat,
+                                const MembraneFactorsWanted& wanted, const std::string& where) {
   auto result =
-      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, wanted, where, &found.stretch);
-  result.forces.moments = result.fields.force = found.membrane_forces;
-  result.summary.strain_energy = found.membrane_energy;
-  result.summary.external_work = found.external_work;
+      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, heat, wanted, where, &found.stretch);
+  result.forces.moments = found.membrane_forces;
+  plate::relieve(result.forces, membrane.section(), heat);
+  result.fields.force = result.forces.moments;
+  result.stored += found.stored_by_deflections;
+  result.summary.strain_energy = found.membrane_energy + result.stored;
+  result.summary.external_work = found.external_work + result.stored;
   result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
   return result;
 }
@@ -132,9 +137,10 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
   if (apart > told) warnings.push_back(text);
 }
 
-void require_balance(const post::MembraneSummary& summary, const std::string& where) {
+void require_balance(const MembraneResult& result, const std::string& where) {
+  const double strain = result.summary.strain_energy - result.stored;
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
-      .check({summary.strain_energy, summary.strain_energy, summary.external_work}, "in equilibrium " + where);
+      .check({strain, strain, result.summary.external_work - result.stored}, "in equilibrium " + where);
 }
 
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
@@ -143,14 +149,16 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
   const auto& solution = found.solution;
   require_equilibrium(membrane, solution, analysis.tolerance, where);
-  auto result = membrane_results(membrane, solution.state, membrane.total_load(), wanted, where);
+  auto result =
+      membrane_results(membrane, solution.state, membrane.total_load(), plate::heat_of(membrane, 1), wanted, where);
   auto& summary = result.summary;
   summary.residual = solution.residual;
-  summary.external_work = post::slow_work(membrane, found);
-  if (!post::moves(solution.state, summary.external_work, membrane))
-    post::require_motion(membrane, post::forces_of(membrane), solution.state, summary.external_work, result.warnings);
+  const double work = post::slow_work(membrane, found);
+  summary.external_work = work + result.stored;
+  if (!post::moves(solution.state, work, membrane))
+    post::require_motion(membrane, post::forces_of(membrane), solution.state, work, result.warnings);
   if (membrane.offers(plate::Feature::symmetry)) {
-    require_balance(summary, where);
+    require_balance(result, where);
     return result;
   }
   std::vector<std::string> coarse;
@@ -174,7 +182,7 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
   if (bending.strained.cols() > 0) bending.strained += found.bending;
 
   ContactResult result{
-      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
+      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), plate::heat_of(membrane, 1), wanted),
       .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
       .faces = {{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}},
       .closed = post::closed_tips(found, plate.tips()),
@@ -196,13 +204,15 @@ double linear_theory_off_by(const plate::Problem& problem, double wider) {
   const auto made = membrane ? nullptr : plate->middle_plane();
   const auto& plane = membrane ? *membrane : *made;
   const auto found = plate::static_solution(*plate, {}, {});
-  return plate::linear_theory_off(*plate, plane, found.solution.state, plane.total_load());
+  return plate::linear_theory_off(*plate, plane, found.solution.state,
+                                  {{}, plane.total_load(), plate::stiffness_of_heat(plane, plate::heat_of(plane, 1))});
 }
 
 }  // namespace
 
 std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
-                                        const plate::Formulation* membrane, const plate::Forces& in_plane) {
+                                        const plate::Formulation* membrane, const plate::Forces& in_plane,
+                                        const plate::Heat& heat) {
   constexpr double small = 0.1, large = 10;    // thicknesses
   constexpr double some = 2500, many = 20000;  // points: a plate of more takes no factor, but fewer points for this
   const auto& problem = plate.problem();
@@ -216,8 +226,10 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   try {
     if (one_load && points > 2 * some) return linear_theory_off_by(problem, std::sqrt(points / some));
     const auto made = membrane ? nullptr : plate.middle_plane();
-    return plate::linear_theory_off(plate, membrane ? *membrane : *made, state,
-                                    in_plane.cols() > 0 ? in_plane : plate::zero_like(state));
+    const auto& plane = membrane ? *membrane : *made;
+    return plate::linear_theory_off(
+        plate, plane, state,
+        {{}, in_plane.cols() > 0 ? in_plane : plate::zero_like(state), plate::stiffness_of_heat(plane, heat)});
   } catch (const plate::Refused&) {
     return std::nullopt;
   } catch (const plate::NumericalError&) {  // parts that move freely in the plane

@@ -136,7 +136,8 @@ std::pair<post::Frame, plate::Mesh> QuasiStaticRun::drawn() const {
 std::optional<MembraneResult> QuasiStaticRun::in_plane() const {
   const auto* membrane = tips_ ? tips_->membrane() : nullptr;
   if (!membrane) return std::nullopt;
-  return membrane_results(*membrane, factor_ * tips_->state_in_plane(), factor_ * membrane->total_load(), {{}, {}},
+  return membrane_results(*membrane, factor_ * tips_->state_in_plane(), factor_ * membrane->total_load(),
+                          plate::heat_of(*membrane, factor_), {{}, {}},
                           fmt::format("in the plane at advance {}", advance_));
 }
 
