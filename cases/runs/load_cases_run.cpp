@@ -238,7 +238,7 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   result.summary.residual = now.residual;
   std::vector<std::string> warnings;
   if (const double work = result.summary.external_work - result.stored;
-      now.acts && !post::moves(now.state, work, membrane))
+      now.acts && now.heat.none() && !post::moves(now.state, work, membrane))
     post::require_motion(membrane, {now.load}, now.state, work, warnings);
   for (const auto& text : warnings) warnings_.push_back(fmt::format("load case {}: in the plane, {}", one.name, text));
   require_balance(result, where);
@@ -437,7 +437,7 @@ InPlaneState LoadCases::solved_in_plane(std::size_t which, plate::StaticSolver& 
 InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   const auto& membrane = *ready_.membrane;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
-  const InPlaneState rest{plate::zero_forces(membrane.points()), plate::zero_state(membrane.points())};
+  InPlaneState rest{plate::zero_forces(membrane.points()), plate::zero_state(membrane.points())};
   auto sum = rest;
   double largest = 0;  // of the parts
   for (std::size_t i = 0; i < factors.size(); ++i) {
@@ -452,11 +452,12 @@ InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, cons
   if (size > 0) sum.residual /= size;
   if (largest == 0 || size > rounding * largest) return sum;
   warnings_.push_back(fmt::format("combination {}: its loads in the plane cancel", combination.name));
+  rest.heat = sum.heat;  // which the loads may hold
   return rest;
 }
 
 /// `cases`: the load cases; with large deflections their loads alone, whose sum is solved. A combination whose loads
-/// cancel to rounding is the plate at rest.
+/// cancel to rounding is the plate at rest, with what heat stresses it.
 void LoadCases::combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const auto zero = plate::zero_state(plate_.points());
@@ -482,7 +483,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
       warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
   sum.in_plane = std::move(in_plane);
-  if (!cancels) sum.heat = plate::heat_of(plate_, shares_of(combination, plate_.problem()));
+  sum.heat = plate::heat_of(plate_, shares_of(combination, plate_.problem()));
   post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
   if (stretched_) find_equilibrium(one, sum);
   const auto iterations = one.iterations.value_or(0);

@@ -149,13 +149,13 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
   const auto& solution = found.solution;
   require_equilibrium(membrane, solution, analysis.tolerance, where);
-  auto result =
-      membrane_results(membrane, solution.state, membrane.total_load(), plate::heat_of(membrane, 1), wanted, where);
+  const auto heat = plate::heat_of(membrane, 1);
+  auto result = membrane_results(membrane, solution.state, membrane.total_load(), heat, wanted, where);
   auto& summary = result.summary;
   summary.residual = solution.residual;
   const double work = post::slow_work(membrane, found);
   summary.external_work = work + result.stored;
-  if (!post::moves(solution.state, work, membrane))
+  if (heat.none() && !post::moves(solution.state, work, membrane))  // a heated plate may be held all round
     post::require_motion(membrane, post::forces_of(membrane), solution.state, work, result.warnings);
   if (membrane.offers(plate::Feature::symmetry)) {
     require_balance(result, where);

@@ -331,13 +331,16 @@ void StretchedPlate::look_ahead(Path& path) const {
 }
 
 /// Work of the loads from one equilibrium to the next, by Hermite's rule over the displacement of the loads: exact
-/// where they grow with its third power, as with the stretching of a plate.
+/// where they grow with its third power, as with the stretching of a plate. Where hardly anything moves the loads
+/// before, as heat does not until the plate buckles, the line of the end.
 double StretchedPlate::work_between(const Path& before, const Path& after) const {
   const double moved = displacement_of(*after.loads, after.now.bending, after.now.membrane) -
                        displacement_of(*after.loads, before.now.bending, before.now.membrane);
   const double mean = moved * (before.factor + after.factor) / 2;
   if (!(before.along > 0) || !(after.along > 0)) return mean;
-  return mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
+  const double hermite = mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
+  const double least = before.factor * moved, most = after.factor * moved;
+  return moved > 0 && hermite > most ? std::max(least, most - moved * moved / (2 * after.along)) : hermite;
 }
 
 /// Finds the next equilibrium; false where there is none within the least step.
