@@ -172,7 +172,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
   const auto now = instant_of(known, step);
   const double number = now.time, work = now.external_work, strain = now.strain_energy;
-  const double heated = plate::stored(plate_, heat, state);
+  const double heated = plate::stored(plate_, heat, state) + (curved ? in_plane->stored : 0);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain + now.potential;
@@ -204,7 +204,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const bool stretches = stretched && stretched->acts;
   if (!rests && !stretches && !post::moves(state, work, plate_))
     post::require_motion(plate_, {plate::PrescribedDisplacements(plate_, load, lift).pull()}, state, work, warnings_);
-  if (curved) return;  // its work is that along the steps
+  if (curved || only_stored(strain, heated)) return;  // the work of the first is that along the steps
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({strain + post::energy_about(plate_, lift), strain, work}, when);
 }

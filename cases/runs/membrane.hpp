@@ -90,6 +90,9 @@ void require_equilibrium(const plate::Formulation& membrane, const plate::Static
 void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
                          std::vector<std::string>& warnings);
 
+/// True of a plate that heat does not move but for rounding: held all round, it has the energy that heat stores.
+bool only_stored(double strain_energy, double stored);
+
 /// Checks the energy of a plate in its plane at rest, without what heat stores.
 /// @throws plate::NumericalError  it is not the work of the loads
 void require_balance(const MembraneResult& result, const std::string& where);

@@ -45,14 +45,15 @@ TEST_CASE("a mean temperature: a number or an expression, alone or beside the di
   for (const std::string good : {"mean = 20", "mean = -20.5\nvalue = 3", "mean = \"20 * x\"\nexpression = \"y\""}) {
     CAPTURE(good);
     CHECK(problems(plain + load + good, settings).empty());
-    const auto once = resolved(plain + load + good, settings);
-    CHECK(resolved(once, {}) == once);
-    CHECK(read(once).content.loads[1].in_plane());
+    const auto once = cases::resolved_toml(read(plain + load + good, settings).content);
+    const auto again = read(once).content;
+    CHECK(cases::resolved_toml(again) == once);
+    CHECK(again.loads[1].in_plane());
   }
   expect(plain + load + "mean = 0\n", ":20", "load[1].mean", "is zero", settings);
   expect(plain + load + "mean = \"20 * z\"\n", ":20", "load[1].mean", "\"z\"", settings);
   expect(plain + load, ":18", "load[1].value", "is missing", settings);
-  expect(plain + "mean = 3\n", ":18", "load[0].mean", "kind", settings);
+  expect(with_line(plain, 15, "value = 1\nmean = 3"), ":16", "load[0].mean", "kind");
   auto moving = settings;
   for (const char* more :
        {"analysis.kind=dynamic", "analysis.duration=1", "analysis.nonlinear=true", "section.density=1"})
