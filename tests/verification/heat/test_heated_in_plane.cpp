@@ -113,6 +113,27 @@ TEST_CASE("a plate that is heated and free in its plane stretches by alpha T, wi
     }
 }
 
+TEST_CASE("a mean temperature that is the same everywhere loads a plate as tractions on its edges do", "[in_plane]") {
+  auto c = warm(galerkin, oblique(), 0.05, InPlane::free);
+  const double N = -hindered(c.section);
+  c.supports.push_back(hold({{0, 0}, {0.05, 0}}));
+  c.loads[0].history.kind = History::Kind::ramp, c.loads[0].history.rise_time = 2;
+  const auto heated = discretise(c);
+  EdgeTraction traction{c.supports[0].edges};
+  traction.tensor = std::array{N, N, 0.0};
+  auto pulled = c;
+  pulled.loads = {{traction, c.loads[0].history}};
+  const auto loaded = discretise(pulled);
+  const Forces expected = loaded.membrane->total_load();
+  CHECK((heated.membrane->total_load() - expected).cwiseAbs().maxCoeff() < 1e-12 * expected.cwiseAbs().maxCoeff());
+  CHECK(heated.plate->total_load().isZero(0));
+  // and moves it as these do
+  const StretchedMotion moving(*heated.plate, *heated.membrane, 1), same(*loaded.plate, *loaded.membrane, 1);
+  CHECK((moving.load_in_plane(1) - same.load_in_plane(1)).norm() < 1e-12 * same.load_in_plane(1).norm());
+  CHECK((moving.load_in_plane(1) - expected / 2).norm() < 1e-12 * expected.norm());
+  CHECK(heat_at(*heated.membrane, 1).curvature[0] == Approx(strain / 2));
+}
+
 TEST_CASE("a strip that is heated between two ends has the force of hindered strains along it", "[in_plane]") {
   for (const auto* kind : {&galerkin, &ordinary}) {
     auto c = warm(*kind, geometry::rectangle(0, 0, 1, 0.25), 0.025, InPlane::normal);
