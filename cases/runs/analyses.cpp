@@ -12,7 +12,6 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
-#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
@@ -107,10 +106,7 @@ void SinglePlate::solve_static() {
     in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted);
   const auto& solution = result.solution;
   progress.done();
-  const auto* membrane = ready_.membrane.get();
-  summary.linear_theory_off =
-      linear_theory_off(plate_, solution.state, membrane, membrane ? membrane->total_load() : plate::no_state(),
-                        membrane ? plate::heat_of(*membrane, 1) : plate::Heat());
+  summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get());
   stopwatch().lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;

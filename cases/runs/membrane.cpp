@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
@@ -241,6 +242,12 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   } catch (const plate::NumericalError&) {  // parts that move freely in the plane
     return std::nullopt;
   }
+}
+
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane) {
+  return linear_theory_off(plate, state, membrane, membrane ? membrane->total_load() : plate::no_state(),
+                           membrane ? plate::heat_of(*membrane, 1) : plate::Heat());
 }
 
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,

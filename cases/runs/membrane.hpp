@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "plate/formulation/thermal_curvature.hpp"
 #include "post/factors/tip_methods.hpp"
 #include "post/files/frame.hpp"
 #include "post/files/summary.hpp"
@@ -13,6 +12,7 @@ struct LargeDeflections;
 struct LoadStep;
 struct Stretch;
 struct Analysis;
+struct Heat;
 struct StaticResult;
 struct StaticSolution;
 }  // namespace plate
@@ -99,13 +99,14 @@ void require_balance(const MembraneResult& result, const std::string& where);
 
 /// Estimates by what share linear theory overstates the deflections of a plate at rest (plate::linear_theory_off).
 /// `membrane`, `in_plane`: its plane and the load there, with `heat`, where there is one; null and without columns
-/// otherwise. Absent
-/// where deflections are small or beyond any estimate, and for plates that have no large deflections. Beyond 5,000
-/// points a plate of 2,500 points is solved for it; with load cases none is found beyond 20,000.
+/// otherwise. Absent where deflections are small or beyond any estimate, and for plates that have no large deflections.
+/// Beyond 5,000 points a plate of 2,500 points is solved for it; with load cases none is found beyond 20,000.
 std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
-                                        const plate::Formulation* membrane = nullptr,
-                                        const plate::Forces& in_plane = plate::no_state(),
-                                        const plate::Heat& heat = {});
+                                        const plate::Formulation* membrane, const plate::Forces& in_plane,
+                                        const plate::Heat& heat);
+/// The same under all loads of the plane.
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane = nullptr);
 
 /// Adds the fields of a plate in its plane to a frame of its bending; the von Mises stress becomes that of the worse
 /// face under both.

@@ -8,6 +8,7 @@
 #include "fracture/growth/growth.hpp"
 #include "fracture/growth/quasi_static_bonds.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/numerical_method.hpp"
 #include "plate/solve/archive.hpp"

@@ -6,6 +6,7 @@
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/results.hpp"
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/archive.hpp"

@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/mechanisms.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"

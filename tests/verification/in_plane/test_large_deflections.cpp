@@ -9,6 +9,7 @@
 #include "cases/runs/membrane.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"

@@ -5,6 +5,7 @@
 #include "cases/driver/run.hpp"
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/outputs.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "post/files/sinks.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
