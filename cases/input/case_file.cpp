@@ -131,6 +131,7 @@ std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem)
                                                           {load_patch, "load[{}].on"},
                                                           {load_line, "load[{}].along"},
                                                           {load_expression, "load[{}].expression"},
+                                                          {load_mean, "load[{}].mean"},
                                                           {settlement, "load[{}].support"},
                                                           {load_table, "load[{}].table"},
                                                           {load_path, "load[{}].path"},

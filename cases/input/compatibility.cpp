@@ -24,12 +24,14 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {stiffness_damping, "`analysis.damping.stiffness` of a motion"},
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
-    {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`)"},
+    {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`, `mean`)"},
     {large_deflections, "`analysis.nonlinear`"},
+    {large_deflections_in_motion, "`analysis.nonlinear` of a motion"},
     {touching_faces, "`cracks.contact`"},
     {buckling, "`analysis.kind = \"buckling\"`"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
     {temperature, "a load of kind `\"temperature\"`"},
+    {mean_temperature, "`mean` of a load of kind `\"temperature\"`"},
     {load_cases, "`[[case]]`"},
     {combinations, "`[[combination]]`"},
     {varied_section, "plies, directions, regions or factors of the section"},
@@ -208,6 +210,9 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, growth_of_heated_cracks_in_motion, "growth",
      "growth in motion takes no account of loads in the plane: let cracks grow at rest, with unstable = \"stop\" or "
      "\"jump\""},
+    {large_deflections_in_motion, mean_temperature, "analysis.nonlinear",
+     "heat in the plane is carried with large deflections at rest, not in motion yet: choose kind = \"static\", or "
+     "remove it"},
     {large_deflections, settlement, settlements,
      "\"settlement\" given: supports that move are not carried with large deflections yet: remove it, or nonlinear"},
     {large_deflections, unilateral_foundation, "foundation",
@@ -310,10 +315,13 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
   add(any_load([](const auto& load) { return load.in_plane(); }), load_in_plane);
   add(a.nonlinear, large_deflections);
+  add(a.nonlinear && moves, large_deflections_in_motion);
   add(content.faces_touch(), touching_faces);
   add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);
   add(any_load([](const auto& load) { return load.template as<plate::Temperature>() != nullptr; }), temperature);
+  add(any_load([](const auto& load) { return load.template as<plate::Temperature>() && load.in_plane(); }),
+      mean_temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
   add(!content.combinations.empty(), combinations);
   add(!content.section.simple(), varied_section);

@@ -287,6 +287,27 @@ Field<Load> expression() {
       [](const Load& load) { return load.formula().given() ? quoted(load.formula().text()) : ""; });
 }
 
+/// The mean of a temperature: a number, or an expression in x and y.
+Field<Load> mean() {
+  return value<Load>(
+      {"mean", "temperature", "a number or an expression in x, y and pi", "",
+       "temperature of the middle plane above that without stress; it acts in the plane"},
+      [](const Value& given, Load& load) {
+        auto* heat = load.as<Temperature>();
+        if (!heat) return;
+        if (given.is_text()) {
+          if (const auto formula = formula_of(given)) heat->mean_formula = *formula;
+        } else {
+          heat->mean = given.number().value_or(0);
+        }
+      },
+      [](const Load& load) {
+        const auto* heat = load.as<Temperature>();
+        if (!heat || !load.in_plane()) return std::string();
+        return heat->mean_formula.given() ? quoted(heat->mean_formula.text()) : number_text(heat->mean);
+      });
+}
+
 /// Reads a table of pressures, or says why it cannot be read or is none.
 std::variant<plate::PressureTable, std::string> read_table(const std::filesystem::path& path) {
   constexpr std::size_t most = 256 << 20;  // bytes
@@ -416,6 +437,7 @@ Fields<Load> amount_fields() {
   return {
       load_kind(),
       expression().with(kind_is<Pressure, Temperature>()),
+      mean().with(kind_is<Temperature>()),
       table_field().with({"kind", "kind = pressure without expression",
                           [](const Load& load) { return is<Pressure>(load) && !load.formula().given(); }}),
       table_digest_field().with(
@@ -430,7 +452,7 @@ Fields<Load> amount_fields() {
              "pressure, edge moment per length, edge shear per length, edge traction N_nn, point force along w, force "
              "per length of a line, temperature of the face z > 0 less that of the other, deflection of a support")
           .with({"kind", "neither body_force, expression, table nor gravity", valued})
-          .standard("required without tensor, vector, expression, table and gravity"),
+          .standard("required without tensor, vector, expression, mean, table and gravity"),
       point("vector", "force/length^2, force", vector_of, "[x, y]", "the force in the plane")
           .with({"kind", "kind = body_force or point_force without path",
                  [](const Load& load) { return is<BodyForce>(load) || (is<PointForce>(load) && !load.moves()); }}),
@@ -527,7 +549,9 @@ void check_load(const Value& given, Load& load) {
   if (has("vector") && !has("value") && vector_of(load) == geometry::Point(0, 0) &&
       reading.sound(given.below("vector")))
     reading.report_error(given.below("vector"), "is zero: nothing acts");
-  const auto amounts = {"value", "tensor", "vector", "expression", "gravity", "table"};
+  if (has("mean") && !has("value") && !has("expression") && !load.in_plane() && reading.sound(given.below("mean")))
+    reading.report_error(given.below("mean"), "is zero: nothing acts");
+  const auto amounts = {"value", "tensor", "vector", "expression", "mean", "gravity", "table"};
   if (!is<BodyForce>(load) && std::ranges::none_of(amounts, has))
     reading.report_error(given.below("value"), "is missing, must be a finite number");
   for (const char* name : {"value", "twist", "shear"})

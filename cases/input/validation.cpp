@@ -47,8 +47,12 @@ std::vector<KeyError> errors_in_prestress(const plate::Problem& problem, const A
   std::vector<KeyError> result;
   const bool buckles = analysis.kind == Analysis::Kind::buckling;
   if (!buckles && analysis.kind != Analysis::Kind::frequencies) return result;
+  const auto bends = [](const plate::Load& load) {
+    const auto* heat = load.as<plate::Temperature>();
+    return !load.in_plane() || (heat && (heat->value != 0 || heat->formula.given()));
+  };
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    if (!problem.loads[i].in_plane())
+    if (bends(problem.loads[i]))
       result.push_back({key_of_load(problem, i) + ".kind",
                         fmt::format("bends the plate: {} those of a flat plate under loads in its plane, "
                                     "as \"edge_traction\"; remove it",

@@ -38,7 +38,8 @@ struct InPlaneState {
   plate::Forces load;
   plate::State state;
   bool acts = false;
-  double residual = 0;  // relative; of a combination at most this
+  double residual = 0;    // relative; of a combination at most this
+  plate::Heat heat = {};  // among the load
 };
 
 /// Loads of a load case or combination, and the state.
@@ -73,6 +74,22 @@ plate::Forces forces_of_case(const plate::Formulation& plate, std::size_t which)
   std::vector<plate::Forces> acting;
   for (const auto k : plate::loads_of(plate.problem(), which)) result += acting.emplace_back(plate.loads()[k].forces);
   if (plate::cancel(plate, acting)) result.setZero();
+  return result;
+}
+
+/// Factors of all loads in a load case.
+std::vector<double> shares_of(const plate::Problem& problem, std::size_t which) {
+  std::vector<double> result(problem.loads.size(), 0);
+  for (const auto k : plate::loads_of(problem, which)) result[k] = 1;
+  return result;
+}
+
+/// Factors of all loads in a combination.
+std::vector<double> shares_of(const plate::Combination& combination, const plate::Problem& problem) {
+  const auto factors = plate::factors_of(combination, problem.load_cases);
+  std::vector<double> result(problem.loads.size(), 0);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    for (const auto k : plate::loads_of(problem, i)) result[k] += factors[i];
   return result;
 }
 
@@ -129,6 +146,7 @@ private:
     double deflection = 0;
     plate::State state;
     plate::Forces in_plane = plate::no_state();
+    plate::Heat heat = {};
   };
   Deepest deepest_;
   std::unique_ptr<const plate::StretchedPlate> stretched_;  // with large deflections
@@ -164,7 +182,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   post::require_finite(state, when, plate_);
   if (const double w = state.row(0).cwiseAbs().maxCoeff();
       w > deepest_.deflection && !curved && !coupled && plate_.offers(plate::Feature::stretching))
-    deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
+    deepest_ = {w, state, stretched ? stretched->load : plate::no_state(), stretched ? stretched->heat : plate::Heat()};
   std::optional<MembraneResult> in_plane;
   if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
   auto now = instant_of(known, step);
@@ -173,7 +191,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
     now.potential = -2 * now.external_work;
   }
   const double number = now.time, work = now.external_work, strain = now.strain_energy;
-  const double heated = plate::stored(plate_, heat, state);
+  const double heated = plate::stored(plate_, heat, state) + (curved ? in_plane->stored : 0);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain + now.potential;
@@ -206,7 +224,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const bool stretches = stretched && stretched->acts;
   if (!rests && !stretches && !post::moves(state, work, plate_))
     post::require_motion(plate_, {plate::PrescribedDisplacements(plate_, load, lift).pull()}, state, work, warnings_);
-  if (curved) return;  // its work is that along the steps
+  if (curved || only_stored(strain, heated)) return;  // the work of the first is that along the steps
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({strain + post::energy_about(plate_, lift), strain, work}, when);
 }
@@ -232,7 +250,7 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   const auto where = fmt::format("in the plane, {}", one.name);
   const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
   if (known.curved) {
-    auto result = membrane_results(membrane, *known.curved, now.load, wanted, where);
+    auto result = membrane_results(membrane, *known.curved, now.load, now.heat, wanted, where);
     factors_in_plane_.push_back(result.factors);
     return result;
   }
@@ -242,15 +260,16 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
     factors_in_plane_.push_back(result.factors);
     return result;
   }
-  auto result = membrane_results(membrane, now.state, now.load, wanted, where);
+  auto result = membrane_results(membrane, now.state, now.load, now.heat, wanted, where);
   if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
   factors_in_plane_.push_back(result.factors);
   result.summary.residual = now.residual;
   std::vector<std::string> warnings;
-  if (const double work = result.summary.external_work; now.acts && !post::moves(now.state, work, membrane))
+  if (const double work = result.summary.external_work - result.stored;
+      now.acts && now.heat.none() && !post::moves(now.state, work, membrane))
     post::require_motion(membrane, {now.load}, now.state, work, warnings);
   for (const auto& text : warnings) warnings_.push_back(fmt::format("load case {}: in the plane, {}", one.name, text));
-  if (!known.touching) require_balance(result.summary, where);
+  if (!known.touching) require_balance(result, where);
   return result;
 }
 
@@ -324,7 +343,9 @@ void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now)
   if (coupled_) return find_both(one, now);
   auto& summary = this->summary();
   auto& about = summary.analysis;
-  auto found = stretched_->equilibrium({now.load, now.in_plane->load}, {content().analysis.tolerance, {}});
+  const auto& plane = *now.in_plane;
+  auto found = stretched_->equilibrium({now.load, plane.load, plate::stiffness_of_heat(*ready_.membrane, plane.heat)},
+                                       {content().analysis.tolerance, {}});
   stopwatch().lap("solve");
   one.large_deflections = true;
   one.iterations = found.iterations, one.residual = found.steps.empty() ? 0 : found.steps.back().residual;
@@ -453,20 +474,19 @@ void LoadCases::solve() {
     stopwatch().lap("srif");
   }
   if (deepest_.deflection > 0)
-    summary.linear_theory_off = linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane);
+    summary.linear_theory_off =
+        linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane, deepest_.heat);
   stopwatch().lap("solve");
   progress.done();
 }
 
 LoadCaseState LoadCases::loaded(std::size_t which) const {
   LoadCaseState result{forces_of_case(plate_, which), plate::no_state(), {}, {}};
-  std::vector<double> shares(plate_.loads().size(), 0);
   for (const auto k : plate::loads_of(plate_.problem(), which)) {
     const auto& one = plate_.loads()[k];
-    shares[k] = 1;
     if (one.lifts()) result.lift = result.lift.cols() > 0 ? plate::State(result.lift + one.lift) : one.lift;
   }
-  result.heat = plate::heat_of(plate_, shares);
+  result.heat = plate::heat_of(plate_, shares_of(plate_.problem(), which));
   return result;
 }
 
@@ -476,6 +496,7 @@ InPlaneState LoadCases::loaded_in_plane(std::size_t which) const {
   InPlaneState result{forces_of_case(*ready_.membrane, which), plate::zero_state(plate_.points())};
   result.acts =
       std::ranges::any_of(plate::loads_of(problem, which), [&](std::size_t k) { return problem.loads[k].in_plane(); });
+  result.heat = plate::heat_of(*ready_.membrane, shares_of(problem, which));
   return result;
 }
 
@@ -499,7 +520,7 @@ InPlaneState LoadCases::solved_in_plane(std::size_t which, std::optional<plate::
 InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   const auto& membrane = *ready_.membrane;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
-  const InPlaneState rest{plate::zero_forces(membrane.points()), plate::zero_state(membrane.points())};
+  InPlaneState rest{plate::zero_forces(membrane.points()), plate::zero_state(membrane.points())};
   auto sum = rest;
   double largest = 0;  // of the parts
   for (std::size_t i = 0; i < factors.size(); ++i) {
@@ -509,15 +530,17 @@ InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, cons
     const double size = std::abs(factors[i]) * folded_norm(membrane, part.load, plate::no_state());
     largest = std::max(largest, size), sum.residual += size * part.residual;
   }
+  sum.heat = plate::heat_of(membrane, shares_of(combination, membrane.problem()));
   const double size = folded_norm(membrane, sum.load, plate::no_state());
   if (size > 0) sum.residual /= size;
   if (largest == 0 || size > rounding * largest) return sum;
   warnings_.push_back(fmt::format("combination {}: its loads in the plane cancel", combination.name));
+  rest.heat = sum.heat;  // which the loads may hold
   return rest;
 }
 
 /// `cases`: the load cases; with large deflections their loads alone, whose sum is solved. A combination whose loads
-/// cancel to rounding is the plate at rest.
+/// cancel to rounding is the plate at rest, with what heat stresses it.
 void LoadCases::combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const auto zero = plate::zero_state(plate_.points());
@@ -543,10 +566,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
       warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
   sum.in_plane = std::move(in_plane);
-  std::vector<double> shares(plate_.loads().size(), 0);
-  for (std::size_t i = 0; i < factors.size(); ++i)
-    for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
-  if (!cancels) sum.heat = plate::heat_of(plate_, shares);
+  sum.heat = plate::heat_of(plate_, shares_of(combination, plate_.problem()));
   post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
   if (stretched_ || coupled_) find_equilibrium(one, sum);
   touch(one, sum);

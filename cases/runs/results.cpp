@@ -59,7 +59,8 @@ void Results::look_at_stress(const plate::Instant& now, const plate::Heat& heat)
 
 void Results::sample(const plate::Instant& now, bool last) {
   const auto heat = plate::heat_at(plate_, now.time);
-  const double heated = plate::stored(plate_, heat, now.state);
+  double heated = plate::stored(plate_, heat, now.state);
+  if (in_plane_ && content().moves()) heated += in_plane_->stored;  // whose energies `now` has without heat
   strain_energy_ = now.strain_energy + heated, external_work_ = now.external_work + heated;
   post::Sample row{now.time, now.step, now.state, strain_energy_, now.kinetic_energy, external_work_, 0};
   post::EnergyBalance::Terms terms{now.strain_energy + now.kinetic_energy + now.dissipated,

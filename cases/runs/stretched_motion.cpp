@@ -6,6 +6,7 @@
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/results.hpp"
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/archive.hpp"
@@ -77,12 +78,12 @@ MembraneResult StretchedMotionRun::in_plane(const plate::Instant& both, bool las
   const auto* stretching = both_.stretching();
   std::optional<plate::Stretch> stretch;
   if (stretching) stretch = stretching->stretch(bending), load += stretch->forces;
-  auto result =
-      membrane_results(membrane_, membrane, load, {content().srif, ready_.membrane_methods, last, &largest_in_plane_},
-                       "in the plane", stretch ? &*stretch : nullptr);
+  auto result = membrane_results(membrane_, membrane, load, plate::heat_at(membrane_, both.time),
+                                 {content().srif, ready_.membrane_methods, last, &largest_in_plane_}, "in the plane",
+                                 stretch ? &*stretch : nullptr);
   if (stretching) result.forces.moments = result.fields.force = stretching->membrane_forces(bending, membrane);
-  result.summary.strain_energy = both_.energy_in_plane(both.state);
-  result.summary.external_work = both.external_work;
+  result.summary.strain_energy = both_.energy_in_plane(both.state) + result.stored;
+  result.summary.external_work = both.external_work + result.stored;
   return result;
 }
 
@@ -123,7 +124,7 @@ void StretchedMotionRun::observe(const plate::Instant& both) {
 void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Instant& now, bool last) {
   auto& summary = this->summary();
   summary.analysis.steps = now.step;
-  const double stretching = both_.energy_in_plane(both.state);
+  const double stretching = summary.membrane->strain_energy;
   summary.energy = {{"strain", results_.strain_energy()},
                     {"bending", results_.strain_energy() - stretching},
                     {"stretching", stretching},

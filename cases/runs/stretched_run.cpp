@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/mechanisms.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"
@@ -41,7 +42,8 @@ void LargeDeflectionRun::solve() {
                         fmt::format("load factor {:.3g}, iteration {}, residual {:.1e}", factor, iteration, residual));
       }};
   const auto& membrane = *ready_.membrane;
-  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load()};
+  const auto heat = plate::heat_of(membrane, 1);
+  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load(), plate::stiffness_of_heat(membrane, heat)};
   const auto found = plate::StretchedPlate(plate_, membrane).equilibrium(loads, options);
   progress.done();
   stopwatch().lap("solve");
@@ -51,19 +53,22 @@ void LargeDeflectionRun::solve() {
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
   summary.load_steps = load_steps(found.steps);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  const double strain = found.bending_energy + found.membrane_energy;
-  plate::Instant end{found.iterations, 0, found.bending, {}, 0, found.external_work, strain, 0, 0};
+  auto in_plane = membrane_results(membrane, found, loads.in_plane, heat, {content().srif, ready_.membrane_methods},
+                                   "in the plane");
+  const double strain = found.bending_energy + found.membrane_energy + in_plane.stored,
+               work = found.external_work + in_plane.stored;
+  plate::Instant end{found.iterations, 0, found.bending, {}, 0, work, strain, 0, 0};
   end.stretched = &found.on_bending;
-  results_.in_plane(membrane, membrane_results(membrane, found, loads.in_plane,
-                                               {content().srif, ready_.membrane_methods}, "in the plane"));
+  const double stretching = in_plane.summary.strain_energy;
+  results_.in_plane(membrane, std::move(in_plane));
   if (content().faces_touch()) results_.touching(faces_found(found.touching, plate_));
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);
-  summary.energy = {{"strain", strain},
-                    {"bending", found.bending_energy},
-                    {"stretching", found.membrane_energy},
-                    {"external_work", found.external_work}};
+  summary.energy = {{"strain", results_.strain_energy()},
+                    {"bending", found.bending_energy + (results_.strain_energy() - strain)},
+                    {"stretching", stretching},
+                    {"external_work", results_.external_work()}};
   if (strain == 0)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
   outputs_.warn(warnings_about(found));

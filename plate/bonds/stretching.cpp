@@ -185,12 +185,18 @@ PointMatrix BondStretching::stiffness(const State& bending, const State& membran
   return result;
 }
 
+/// A matrix of zeros with the blocks of points that share a bond.
+PointMatrix BondStretching::between_deflections() const {
+  const PointBonds bonds(plate_);
+  return zeros(plate_.points(), [&](Column& column, std::uint32_t k) {
+    for (const auto& bond : bonds.of(k)) column.couple(bond.neighbour(k));
+  });
+}
+
 PointMatrix BondStretching::geometric_stiffness(const State& membrane) const {
   const State flat = zero_like(membrane);
   const StretchedBonds bonds(plate_, flat, membrane);
-  auto result = zeros(plate_.points(), [&](Column& column, std::uint32_t k) {
-    for (const auto& bond : bonds.of(k)) column.couple(bond.neighbour(k));
-  });
+  auto result = between_deflections();
 #pragma omp parallel for schedule(static)
   for (std::uint32_t k = 0; k < plate_.points(); ++k)
     for (const auto& bond : bonds.of(k)) {
@@ -202,6 +208,31 @@ PointMatrix BondStretching::geometric_stiffness(const State& membrane) const {
       while (result.row[at] != j) ++at;
       result.block[at](0, 0) -= across;
     }
+  return result;
+}
+
+/// Of elongations less `free` times the length in every family, as force_of_curvature() has them.
+PointMatrix BondStretching::stiffness_of_heat(const Eigen::VectorXd& free) const {
+  auto result = between_deflections();
+  const auto add = [&](std::uint32_t column, std::uint32_t row, double value) {
+    auto at = result.first[column];
+    while (result.row[at] != row) ++at;
+    result.block[at](0, 0) += value;
+  };
+  for (std::uint32_t k = 0; k < free.size(); ++k) {
+    const auto family = plate_.families()[k];
+    double dilatation = 0;  // of unit strain
+    for (std::size_t i = 0; i < family.size(); ++i)
+      dilatation += plate_.weights().of(k, i).D * plate_.shapes()[family[i].vector_id].length;
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      const auto& weights = plate_.weights().of(k, i);
+      const double length = plate_.shapes()[family[i].vector_id].length;
+      const double across =
+          -free[k] * (plate_.dilatation_stiffness()[k] * dilatation * weights.D / length + 2 * areas_[k] * weights.B);
+      const auto j = family[i].neighbour;
+      add(k, k, across), add(j, j, across), add(std::min(j, k), std::max(j, k), -across);
+    }
+  }
   return result;
 }
 

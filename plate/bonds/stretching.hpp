@@ -19,10 +19,12 @@ public:
                       Forces& on_membrane) const override;
   PointMatrix stiffness(const State& bending, const State& membrane) const override;
   PointMatrix geometric_stiffness(const State& membrane) const override;
+  PointMatrix stiffness_of_heat(const Eigen::VectorXd& free) const override;
   Stretch stretch(const State& bending) const override;
   Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const override;
 
 private:
+  PointMatrix between_deflections() const;
   Eigen::Matrix3Xd strains(const State& bending) const;
 
   const FamilyOperator& plate_;

@@ -153,7 +153,8 @@ double von_mises(const Eigen::Vector3d& stress) {
 }  // namespace
 
 double von_mises(const Eigen::Vector3d& moments, const Section& section) {
-  if (section.isotropic()) return von_mises(Eigen::Vector3d(moments * (6 / (section.thickness * section.thickness))));
+  const double h = section.thickness, by_moment = section.law == PlateLaw::membrane ? 1 / h : 6 / (h * h);
+  if (section.isotropic()) return von_mises(Eigen::Vector3d(moments * by_moment));
   const LocalSection l(section);
   return von_mises(Eigen::Vector3d(l.top * l.bending.ldlt().solve(moments)));
 }

@@ -33,7 +33,10 @@ Problem membrane_of(Problem problem) {
   problem.section.law = PlateLaw::membrane;
   for (auto& support : problem.supports) support.kind = kind_in_plane(support);
   for (auto& load : problem.loads)
-    if (!load.in_plane()) load.action = BodyForce{};
+    if (!load.in_plane())
+      load.action = BodyForce{};
+    else if (auto* heat = load.as<Temperature>())
+      heat->value = heat->mean, heat->formula = heat->mean_formula;
   problem.foundations.clear(), problem.springs.clear();
   std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.stretches(); });
   for (auto& beam : problem.stiffeners) beam.mass = 0;

@@ -11,8 +11,8 @@ bool loaded_in_plane(const Problem& problem);
 bool has_plane(const Problem& problem);
 
 /// The plate in its plane (PlateLaw::membrane): what its supports hold there stands in their kinds, and its loads give
-/// what they do there. Of stiffeners their axial stiffness acts there; foundations and springs do not, nor do
-/// temperatures that differ between the faces.
+/// what they do there: temperatures have their mean in place of the difference between the faces. Of stiffeners their
+/// axial stiffness acts there; foundations and springs do not.
 Problem membrane_of(Problem problem);
 
 /// The coupling of the plate to its plane (PlateLaw::coupling): a section of stiffness B, and eccentric stiffeners.

@@ -9,6 +9,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/pieces.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/factorised_plate.hpp"
@@ -125,9 +126,11 @@ PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
   return result;
 }
 
-/// Work of loads that stay on the displacements of the plate and of its plane.
-double work_of(const PlateLoads& loads, const State& bending, const State& membrane) {
-  return loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
+/// Displacement of the loads of a plate and of its plane: minus their potential, by their factor. The heat's is not
+/// linear in the deflections.
+double displacement_of(const PlateLoads& loads, const State& bending, const State& membrane) {
+  const double linear = loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
+  return loads.heat.points() == 0 ? linear : linear - bending.cwiseProduct(product(loads.heat, bending)).sum() / 2;
 }
 
 /// The solution of a factor for folded forces.
@@ -208,14 +211,18 @@ double scale_of_least_energy(double a, double b) {
 
 }  // namespace
 
+PointMatrix stiffness_of_heat(const Formulation& membrane, const Heat& heat) {
+  return heat.none() ? PointMatrix() : membrane.stretching()->stiffness_of_heat(heat.curvature);
+}
+
 double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
-                         const Forces& in_plane) {
+                         const PlateLoads& loads) {
   const double bent = plate.strain_energy(bending);
   if (!(bent > 0)) return 0;
   const MiddlePlane plane(membrane);
   const State displacements = plane.displacements(bending, zero_like(bending));
   const double stretched = plane.stretching().energies(bending, displacements).sum();
-  const double by_load = -in_plane.cwiseProduct(displacements).sum();
+  const double by_load = -displacement_of({zero_like(bending), loads.in_plane, loads.heat}, bending, displacements);
   return 1 / scale_of_least_energy(1 + by_load / bent, 2 * stretched / bent) - 1;
 }
 
@@ -261,13 +268,14 @@ StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& ben
   if (contact_) now.on_faces = contact_->part(now.bending, now.membrane, on_faces);
   Forces on_membrane;
   plane_.stretching().internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
+  if (loads.heat.points() > 0) now.on_bending -= factor * product(loads.heat, now.bending);
   plate_.internal_force(now.bending, now.left);
   now.left += now.on_bending + factor * loads.across;
   if (contact_) contact_->rows().press(now.on_faces, now.left, on_membrane);
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
   now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
-  now.potential = -factor * work_of(loads, now.bending, now.membrane);
+  now.potential = -factor * displacement_of(loads, now.bending, now.membrane);
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
     throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
@@ -275,9 +283,11 @@ StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& ben
 }
 
 /// The stiffness there, with the least share of its diagonal that makes it positive.
-std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) const {
+std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, const PlateLoads& loads, double factor,
+                                                double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
   auto matrix = with_first(bending_, plane_.stretching().stiffness(now.bending, now.membrane));
+  if (loads.heat.points() > 0) add(loads.heat, factor, matrix);
   const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
       return std::make_unique<Factor>(lower, shift);
@@ -355,7 +365,7 @@ bool StretchedPlate::iterate(Now& now, const PlateLoads& loads, const LargeDefle
     if (step.residual <= options.tolerance) return true;
     if (step.iterations == most) return false;
     double shift = 0;
-    const auto inverse = tangent(now, shift);
+    const auto inverse = tangent(now, loads, step.factor, shift);
     step.snapped = step.snapped || shift > 0;
     const Way way = this->step(*inverse, now);
     double share = 1;
@@ -386,20 +396,26 @@ struct StretchedPlate::Path {
 /// Finds how the plate goes on from where it is.
 void StretchedPlate::look_ahead(Path& path) const {
   double shift = 0;
-  const auto inverse = tangent(path.now, shift);
-  path.rate = rate(*inverse, path.now, *path.loads);
-  path.along = work_of(*path.loads, path.rate.bending, path.rate.membrane);
+  const auto& [across, in_plane, heat] = *path.loads;
+  const auto inverse = tangent(path.now, *path.loads, path.factor, shift);
+  PlateLoads by_factor{across, in_plane};
+  if (heat.points() > 0) by_factor.across -= product(heat, path.now.bending);
+  path.rate = rate(*inverse, path.now, by_factor);
+  path.along = displacement_of(by_factor, path.rate.bending, path.rate.membrane);
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
 /// Work of the loads from one equilibrium to the next, by Hermite's rule over the displacement of the loads: exact
-/// where they grow with its third power, as with the stretching of a plate.
+/// where they grow with its third power, as with the stretching of a plate. Where hardly anything moves the loads
+/// before, as heat does not until the plate buckles, the line of the end.
 double StretchedPlate::work_between(const Path& before, const Path& after) const {
-  const double moved = work_of(*after.loads, after.now.bending, after.now.membrane) -
-                       work_of(*after.loads, before.now.bending, before.now.membrane);
+  const double moved = displacement_of(*after.loads, after.now.bending, after.now.membrane) -
+                       displacement_of(*after.loads, before.now.bending, before.now.membrane);
   const double mean = moved * (before.factor + after.factor) / 2;
   if (!(before.along > 0) || !(after.along > 0)) return mean;
-  return mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
+  const double hermite = mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
+  const double least = before.factor * moved, most = after.factor * moved;
+  return moved > 0 && hermite > most ? std::max(least, most - moved * moved / (2 * after.along)) : hermite;
 }
 
 /// Finds the next equilibrium; false where there is none within the least step.
@@ -451,6 +467,8 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   auto& now = path.now;
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
+  if (loads.heat.points() > 0)
+    result.stored_by_deflections = now.bending.cwiseProduct(product(loads.heat, now.bending)).sum() / 2;
   result.factor_bytes = path.bytes;
   if (contact_) {
     const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);

@@ -13,6 +13,7 @@ namespace plate {
 
 class Formulation;
 class StretchedContact;
+struct Heat;
 
 /// An equilibrium on the way to the full load.
 struct LoadStep {
@@ -37,8 +38,10 @@ struct LargeDeflections {
   std::vector<LoadStep> steps;
   double bending_energy = 0, membrane_energy = 0;
   double external_work = 0;  // of the loads along the steps
-  Forces on_bending;         // of the stretched middle plane on the deflections
-  Stretch stretch;           // of the middle plane by the deflections
+  /// Share of the deflections in the energy stored by heat in the plane (stored() has that of u and v).
+  double stored_by_deflections = 0;
+  Forces on_bending;  // of the stretched middle plane on the deflections
+  Stretch stretch;    // of the middle plane by the deflections
   Eigen::Matrix3Xd membrane_forces;
   TouchingFaces touching;  // its faces alone; none where contact was not asked for
   std::size_t iterations = 0, factor_bytes = 0;
@@ -81,18 +84,22 @@ private:
   std::unique_ptr<const Factor> factor_;
 };
 
-/// Estimates by what share of the deflections with large deflections those of linear theory are too large (theory.md,
-/// "Large deflections"), from a linear equilibrium: its shape is kept, its size is the one of least energy. Negative
-/// where loads in the plane make linear theory too small; zero for a state at rest. `membrane`: the same points in
-/// their plane; `in_plane`: their load.
-/// @throws NumericalError  where the plane has no factor
-double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
-                         const Forces& in_plane);
-
 /// Nodal forces on a plate and on the same points in their plane.
 struct PlateLoads {
   Forces across, in_plane;
+  PointMatrix heat = {};  // stiffness_of_heat() of the heat among those in the plane
 };
+
+/// Stretching::stiffness_of_heat of the heat of a plate in its plane; without points where there is none.
+PointMatrix stiffness_of_heat(const Formulation& membrane, const Heat& heat);
+
+/// Estimates by what share of the deflections with large deflections those of linear theory are too large (theory.md,
+/// "Large deflections"), from a linear equilibrium: its shape is kept, its size is the one of least energy. Negative
+/// where loads in the plane make linear theory too small; zero for a state at rest. `membrane`: the same points in
+/// their plane. Of the loads those in the plane count.
+/// @throws NumericalError  where the plane has no factor
+double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
+                         const PlateLoads& loads);
 
 /// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains; the
 /// faces of its cracks touch where the problem asks for it.
@@ -113,7 +120,7 @@ private:
   struct Way;
   Now at(const PlateLoads& loads, const State& bending, double factor, const Eigen::VectorXd& on_faces) const;
   Now undeformed(const PlateLoads& loads) const;
-  std::unique_ptr<Factor> tangent(const Now& now, double& shift) const;
+  std::unique_ptr<Factor> tangent(const Now& now, const PlateLoads& loads, double factor, double& shift) const;
   Way step(const Factor& tangent, const Now& now) const;
   Way rate(const Factor& tangent, const Now& now, const PlateLoads& loads) const;
   void add_contact(const Factor& tangent, const Eigen::VectorXd& change, State& both) const;

@@ -46,6 +46,10 @@ public:
   virtual Stretch stretch(const State& bending) const = 0;
   /// Nxx, Nyy, Nxy of every point of the plate [force/length].
   virtual Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const = 0;
+  /// Stiffness of the deflections under the membrane forces of held free strains, as of heat: the same in all
+  /// directions, of every point. Half its product with deflections is the energy by which strains of a heated plate
+  /// exceed those above.
+  virtual PointMatrix stiffness_of_heat(const Eigen::VectorXd& free) const = 0;
 };
 
 }  // namespace plate

@@ -184,6 +184,10 @@ struct Described {
   void operator()(const plate::LineLoad& load) const { add("along", text_of(load.along)); }
   void operator()(const plate::Temperature& load) const {
     if (load.formula.given()) add("expression", json_text(load.formula.text()));
+    if (load.mean_formula.given())
+      add("mean", json_text(load.mean_formula.text()));
+    else if (load.mean != 0)
+      add("mean", json_number(load.mean));
   }
   void operator()(const plate::Settlement& load) const {
     add("support", json_number(double(load.support)));

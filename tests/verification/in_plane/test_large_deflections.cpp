@@ -10,6 +10,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -189,14 +190,15 @@ TEST_CASE("large deflections: linear theory is off as estimated, within a factor
       const auto& plate = *found.plates.plate;
       const State linear = vp::solved(plate).state;
       const double off = linear.row(0).cwiseAbs().maxCoeff() / found.largest() - 1;
-      const double estimated = linear_theory_off(plate, *found.plates.membrane, linear, zero_like(linear));
+      const double estimated = linear_theory_off(plate, *found.plates.membrane, linear, {{}, zero_like(linear)});
       CHECK(off > 0.05);
       CHECK(estimated > off / 2);
       CHECK(estimated < off * 2);
       c.stretches = false;  // the plane that is made when it is needed is the same
       const auto alone = discretise(c);
       CHECK_FALSE(alone.membrane);
-      CHECK(linear_theory_off(*alone.plate, *alone.plate->middle_plane(), linear, zero_like(linear)) == estimated);
+      CHECK(linear_theory_off(*alone.plate, *alone.plate->middle_plane(), linear, {{}, zero_like(linear)}) ==
+            estimated);
     }
 }
 
@@ -215,7 +217,7 @@ TEST_CASE("large deflections: linear theory is off by loads in the plane as esti
     const State linear = vp::solved(plate).state;
     const double off = linear.row(0).cwiseAbs().maxCoeff() / found.largest() - 1;
     const double estimated =
-        linear_theory_off(plate, *found.plates.membrane, linear, found.plates.membrane->total_load());
+        linear_theory_off(plate, *found.plates.membrane, linear, {{}, found.plates.membrane->total_load()});
     CHECK(off * share > 0);
     CHECK(estimated / off > 0.5);
     CHECK(estimated / off < 2);
@@ -252,7 +254,7 @@ TEST_CASE("large deflections: factors of a cracked square are within their estim
       const auto methods = cases::tip_methods({c, {}}, *found.plates.membrane);
       const auto in_plane = cases::membrane_results(*found.plates.membrane, found.state.membrane,
                                                     found.plates.membrane->total_load() + found.state.stretch.forces,
-                                                    {c.srif, methods}, "", &found.state.stretch);
+                                                    {}, {c.srif, methods}, "", &found.state.stretch);
       for (const auto* one : post::recommended(bending)) {
         CHECK(std::abs(one->K1 / (std::pow(h, 4) * K1) - 1) < 0.01);
         CHECK(std::abs(one->K1 - std::pow(h, 4) * K1) < one->errors[0].value());
