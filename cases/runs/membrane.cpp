@@ -159,6 +159,14 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   return result;
 }
 
+post::Table table_of(const plate::TouchingFaces& found) {
+  post::Table table{{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}};
+  for (const auto& at : found.faces)
+    table.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_top, at.opening_bottom, at.force_top,
+                          at.force_bottom});
+  return table;
+}
+
 ContactResult with_contact(const plate::Formulation& plate, const plate::Formulation& membrane,
                            const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
                            plate::StaticResult& bending) {
@@ -173,16 +181,12 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
   bending.solution.state += found.bending, in_plane += found.membrane;
   if (bending.strained.cols() > 0) bending.strained += found.bending;
 
-  ContactResult result{
-      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
-      .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
-      .faces = {{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}},
-      .closed = post::closed_tips(found, plate.tips()),
-      .factor_bytes = found.factor_bytes};
+  ContactResult result{.in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
+                       .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
+                       .faces = table_of(found),
+                       .closed = post::closed_tips(found, plate.tips()),
+                       .factor_bytes = found.factor_bytes};
   result.in_plane.summary.residual = residual;
-  for (const auto& at : found.faces)
-    result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_top, at.opening_bottom,
-                                 at.force_top, at.force_bottom});
   return result;
 }
 

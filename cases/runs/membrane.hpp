@@ -14,6 +14,7 @@ struct Stretch;
 struct Analysis;
 struct StaticResult;
 struct StaticSolution;
+struct TouchingFaces;
 }  // namespace plate
 
 namespace cases {
@@ -46,6 +47,9 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const MembraneFactorsWanted& wanted,
                                 const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
+
+/// Rows of contact.csv.
+post::Table table_of(const plate::TouchingFaces& found);
 
 /// Equilibrium of a plate in its plane with contact of the faces of its cracks.
 struct ContactResult {

@@ -59,7 +59,8 @@ void Results::sample(const plate::Instant& now, bool last) {
   post::EnergyBalance::Terms terms{now.strain_energy + now.kinetic_energy + now.dissipated,
                                    now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
   row.discrete_energy = terms.discrete + now.potential;
-  if (content().analysis.damping) row.dissipated_energy = now.dissipated;
+  if (content().analysis.damping || now.faces) row.dissipated_energy = now.dissipated;
+  if (now.faces) row.contact_loss = now.contact_so_far.lost;
   if (now.contact_force) {
     const auto& contact_force = *now.contact_force;
     contact_forces_.rows.push_back({now.time, contact_force.place, contact_force.velocity, contact_force.force,
@@ -222,8 +223,7 @@ void Results::finish() {
     outputs_.warn(in_plane_->warnings);
     if (!content().faces_touch()) {
       outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
-      const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ &&
-                             !content().analysis.nonlinear && plate_.offers(plate::Feature::touching_faces);
+      const bool may_touch = !content().analysis.nonlinear && plate_.offers(plate::Feature::touching_faces);
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }
   }

@@ -138,6 +138,10 @@ double TouchingFaces::closed_share() const {
   return faces.empty() ? 0 : closed / length();
 }
 
+double lever_of(const FacePair& pair, const PointSections& sections) {
+  return std::min(sections[pair.left].thickness, sections[pair.right].thickness) / 2;
+}
+
 TouchingFaces touching_faces(const Formulation& plate, const Formulation& membrane, const FreeFaces& free) {
   const auto pairs = plate.face_pairs();
   const auto count = Eigen::Index(pairs.size());
@@ -151,7 +155,7 @@ TouchingFaces touching_faces(const Formulation& plate, const Formulation& membra
   Eigen::VectorXd arm(count), openings(2 * count);  // top first
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& pair = pairs[std::size_t(i)];
-    arm[i] = std::min(plate.sections()[pair.left].thickness, plate.sections()[pair.right].thickness) / 2;
+    arm[i] = lever_of(pair, plate.sections());
     const double slope = arm[i] * pair.opening(free.bending), middle = pair.opening(free.membrane);
     openings[i] = middle + slope, openings[count + i] = middle - slope;
   }

@@ -1,0 +1,154 @@
+#include "plate/solve/motion/moving_faces.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "plate/formulation/constraints.hpp"
+#include "plate/formulation/formulation.hpp"
+#include "plate/model/errors.hpp"
+#include "plate/model/nodal_forces.hpp"
+
+namespace plate {
+namespace {
+
+/// Forces f >= 0 of W f + g >= 0 with f (W f + g) = 0, of a positive W [2 x 2].
+AtFaces complementary(const std::array<double, 3>& W, const AtFaces& g) {
+  constexpr double rounding = 1e-10;
+  const auto& [first, beside, second] = W;
+  if (g[0] >= 0 && g[1] >= 0) return {0, 0};
+  if (first > 0 && g[0] < 0 && g[1] - beside / first * g[0] >= 0) return {-g[0] / first, 0};
+  if (second > 0 && g[1] < 0 && g[0] - beside / second * g[1] >= 0) return {0, -g[1] / second};
+  // faces that cannot turn, or cannot move, share a force evenly
+  const double a = first * (1 + rounding), b = second * (1 + rounding), determinant = a * b - beside * beside;
+  if (!(determinant > 0)) return {0, 0};  // supports hold both
+  return {std::max(0.0, (beside * g[1] - b * g[0]) / determinant),
+          std::max(0.0, (beside * g[0] - a * g[1]) / determinant)};
+}
+
+/// Shares of free degrees of freedom in the sum of `terms`.
+std::map<Dof, AtFaces> folded(const std::vector<MovingPair::Term>& terms, const Constraints& constraints) {
+  std::map<Dof, AtFaces> result;
+  const auto add = [&](const Dof& dof, double factor, const AtFaces& shares) {
+    auto& sum = result[dof];
+    for (std::size_t face = 0; face < sum.size(); ++face) sum[face] += factor * shares[face];
+  };
+  const auto& ties = constraints.ties();
+  for (const auto& [dof, shares] : terms) {
+    if (!constraints.held(dof)) add(dof, 1, shares);
+    for (const auto& tie : std::ranges::equal_range(ties, dof, {}, &Constraints::Tie::follower))
+      add(tie.leader, tie.factor, shares);
+  }
+  return result;
+}
+
+}  // namespace
+
+MovingPair moving_pair(const FacePair& pair, double arm, std::size_t points, const Constraints& constraints,
+                       const Forces& mass) {
+  MovingPair result;
+  const auto plane = std::uint32_t(points);
+  for (const auto& [point, sign] : {std::pair(pair.left, 1.0), std::pair(pair.right, -1.0)}) {
+    const double x = sign * pair.normal.x(), y = -sign * pair.normal.y();
+    result.terms.push_back({dof(plane + point, 2), {x, x}});
+    result.terms.push_back({dof(plane + point, 1), {y, y}});
+    result.terms.push_back({dof(point, 2), {arm * x, -arm * x}});
+    result.terms.push_back({dof(point, 1), {arm * y, -arm * y}});
+  }
+  for (const auto& [dof, shares] : folded(result.terms, constraints))
+    if (const double m = at_dof(mass, dof); m > 0) result.pushes.push_back({dof, 1 / m, shares});
+  return result;
+}
+
+MovingFaces::MovingFaces(std::vector<MovingPair> pairs, const ContactSoFar& so_far)
+    : pairs_(std::move(pairs)), contacts_(pairs_.size()), so_far_(so_far) {
+  std::map<Dof, std::vector<std::size_t>> pairs_of;
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    for (const auto& push : pairs_[i].pushes) pairs_of[push.dof].push_back(i);
+  std::map<Dof, std::size_t> numbers;
+  for (const auto& [dof, of] : pairs_of) {
+    numbers[dof] = pushed_.size(), pushed_.push_back(dof);
+    if (of.size() > 1) shared_.insert(shared_.end(), of.begin(), of.end());
+  }
+  std::ranges::sort(shared_);
+  shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
+  for (const auto& pair : pairs_) {
+    auto& of_pair = number_.emplace_back();
+    for (const auto& push : pair.pushes) of_pair.push_back(numbers[push.dof]);
+  }
+  change_.resize(pushed_.size());
+}
+
+/// Finds the force of a pair with those of all others as they are. Returns whether it has changed beyond rounding.
+bool MovingFaces::solve(std::size_t pair, const State& state) {
+  constexpr double rounding = 1e-13;
+  const auto& [terms, pushes] = pairs_[pair];
+  auto& [opening, force] = contacts_[pair];
+  std::array<double, 3> W{};
+  AtFaces free = opening;
+  double size = 0;
+  for (const auto& [dof, shares] : terms) size += std::abs(shares[0] * at_dof(state, dof));
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
+    const auto& shares = pushes[i].shares;
+    const double mobility = response_ * pushes[i].inverse_mass, change = change_[number_[pair][i]];
+    W[0] += mobility * shares[0] * shares[0];
+    W[1] += mobility * shares[0] * shares[1];
+    W[2] += mobility * shares[1] * shares[1];
+    for (std::size_t face = 0; face < free.size(); ++face) free[face] += shares[face] * change;
+    size += std::abs(shares[0] * change);
+  }
+  free[0] -= W[0] * force[0] + W[1] * force[1], free[1] -= W[1] * force[0] + W[2] * force[1];
+  for (double& one : free)
+    if (one > -rounding * size) one = std::max(one, 0.0);
+  const auto before = std::exchange(force, complementary(W, free));
+  const AtFaces more{force[0] - before[0], force[1] - before[1]};
+  if (more[0] == 0 && more[1] == 0) return false;
+  for (std::size_t i = 0; i < pushes.size(); ++i)
+    change_[number_[pair][i]] +=
+        response_ * pushes[i].inverse_mass * (pushes[i].shares[0] * more[0] + pushes[i].shares[1] * more[1]);
+  return std::max(W[0] * std::abs(more[0]), W[2] * std::abs(more[1])) > rounding * size;
+}
+
+void MovingFaces::press(const FreeStep& step, Forces& forces) {
+  constexpr std::size_t most = 10000;
+  response_ = step.time_step * step.share / step.drag;
+  for (std::size_t i = 0; i < pushed_.size(); ++i)
+    change_[i] = step.time_step * (at_dof(step.velocity, pushed_[i]) + step.share * step.acceleration(pushed_[i]));
+  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+    contacts_[pair] = {};
+    for (const auto& [dof, shares] : pairs_[pair].terms)
+      for (std::size_t face = 0; face < shares.size(); ++face)
+        contacts_[pair].opening[face] += shares[face] * at_dof(step.state, dof);
+    for (const double opening : contacts_[pair].opening)
+      so_far_.least_opening = std::min(so_far_.least_opening, opening);
+    solve(pair, step.state);
+  }
+  std::size_t sweeps = 0;
+  for (bool changes = !shared_.empty(); changes; ++sweeps) {
+    if (sweeps == most)
+      throw NumericalError(
+          "contact of crack faces: forces where cracks meet do not settle: take a finer spacing, or remove `contact`");
+    changes = false;
+    for (const auto pair : shared_) changes = solve(pair, step.state) || changes;
+  }
+  add_forces(step, forces);
+}
+
+/// Adds the forces to folded ones, and finds what they take of the energy.
+void MovingFaces::add_forces(const FreeStep& step, Forces& forces) {
+  const double half = step.time_step / 2;
+  lost_before_ = lost_after_ = 0;
+  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+    const auto& force = contacts_[pair].force;
+    if (force[0] == 0 && force[1] == 0) continue;
+    const auto& pushes = pairs_[pair].pushes;
+    for (std::size_t i = 0; i < pushes.size(); ++i) {
+      const auto& [dof, inverse_mass, shares] = pushes[i];
+      const double push = shares[0] * force[0] + shares[1] * force[1];
+      at_dof(forces, dof) += push;
+      if (!step.first) lost_before_ -= half * push * at_dof(step.velocity, dof);
+      lost_after_ -= push * change_[number_[pair][i]] / 2;
+    }
+  }
+}
+
+}  // namespace plate
