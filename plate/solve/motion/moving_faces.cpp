@@ -13,13 +13,15 @@ namespace {
 
 /// Forces f >= 0 of W f + g >= 0 with f (W f + g) = 0, of a positive W [2 x 2].
 AtFaces complementary(const std::array<double, 3>& W, const AtFaces& g) {
-  constexpr double rounding = 1e-10;
+  constexpr double singular = 1e-9, more = 1e-8;
   const auto& [first, beside, second] = W;
   if (g[0] >= 0 && g[1] >= 0) return {0, 0};
   if (first > 0 && g[0] < 0 && g[1] - beside / first * g[0] >= 0) return {-g[0] / first, 0};
   if (second > 0 && g[1] < 0 && g[0] - beside / second * g[1] >= 0) return {0, -g[1] / second};
   // faces that cannot turn, or cannot move, share a force evenly
-  const double a = first * (1 + rounding), b = second * (1 + rounding), determinant = a * b - beside * beside;
+  const bool even = first * second - beside * beside <= singular * first * second;
+  const double a = even ? first * (1 + more) : first, b = even ? second * (1 + more) : second,
+               determinant = a * b - beside * beside;
   if (!(determinant > 0)) return {0, 0};  // supports hold both
   return {std::max(0.0, (beside * g[1] - b * g[0]) / determinant),
           std::max(0.0, (beside * g[0] - a * g[1]) / determinant)};
@@ -79,14 +81,12 @@ MovingFaces::MovingFaces(std::vector<MovingPair> pairs, const ContactSoFar& so_f
 }
 
 /// Finds the force of a pair with those of all others as they are. Returns whether it has changed beyond rounding.
-bool MovingFaces::solve(std::size_t pair, const State& state) {
+bool MovingFaces::solve(std::size_t pair) {
   constexpr double rounding = 1e-13;
-  const auto& [terms, pushes] = pairs_[pair];
+  const auto& pushes = pairs_[pair].pushes;
   auto& [opening, force] = contacts_[pair];
   std::array<double, 3> W{};
   AtFaces free = opening;
-  double size = 0;
-  for (const auto& [dof, shares] : terms) size += std::abs(shares[0] * at_dof(state, dof));
   for (std::size_t i = 0; i < pushes.size(); ++i) {
     const auto& shares = pushes[i].shares;
     const double mobility = response_ * pushes[i].inverse_mass, change = change_[number_[pair][i]];
@@ -94,18 +94,17 @@ bool MovingFaces::solve(std::size_t pair, const State& state) {
     W[1] += mobility * shares[0] * shares[1];
     W[2] += mobility * shares[1] * shares[1];
     for (std::size_t face = 0; face < free.size(); ++face) free[face] += shares[face] * change;
-    size += std::abs(shares[0] * change);
   }
   free[0] -= W[0] * force[0] + W[1] * force[1], free[1] -= W[1] * force[0] + W[2] * force[1];
   for (double& one : free)
-    if (one > -rounding * size) one = std::max(one, 0.0);
+    if (one > -rounding * size_) one = std::max(one, 0.0);
   const auto before = std::exchange(force, complementary(W, free));
   const AtFaces more{force[0] - before[0], force[1] - before[1]};
   if (more[0] == 0 && more[1] == 0) return false;
   for (std::size_t i = 0; i < pushes.size(); ++i)
     change_[number_[pair][i]] +=
         response_ * pushes[i].inverse_mass * (pushes[i].shares[0] * more[0] + pushes[i].shares[1] * more[1]);
-  return std::max(W[0] * std::abs(more[0]), W[2] * std::abs(more[1])) > rounding * size;
+  return std::max(W[0] * std::abs(more[0]), W[2] * std::abs(more[1])) > rounding * size_;
 }
 
 void MovingFaces::press(const FreeStep& step, Forces& forces) {
@@ -113,29 +112,34 @@ void MovingFaces::press(const FreeStep& step, Forces& forces) {
   response_ = step.time_step * step.share / step.drag;
   for (std::size_t i = 0; i < pushed_.size(); ++i)
     change_[i] = step.time_step * (at_dof(step.velocity, pushed_[i]) + step.share * step.acceleration(pushed_[i]));
+  size_ = 0;
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-    contacts_[pair] = {};
-    for (const auto& [dof, shares] : pairs_[pair].terms)
-      for (std::size_t face = 0; face < shares.size(); ++face)
-        contacts_[pair].opening[face] += shares[face] * at_dof(step.state, dof);
-    for (const double opening : contacts_[pair].opening)
-      so_far_.least_opening = std::min(so_far_.least_opening, opening);
-    solve(pair, step.state);
+    auto& opening = (contacts_[pair] = {}).opening;
+    for (const auto& [dof, shares] : pairs_[pair].terms) {
+      const double value = at_dof(step.state, dof);
+      for (std::size_t face = 0; face < shares.size(); ++face) opening[face] += shares[face] * value;
+      size_ = std::max(size_, std::abs(shares[0] * value));
+    }
+    so_far_.least_opening = std::min({so_far_.least_opening, opening[0], opening[1]});
   }
+  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+    for (std::size_t i = 0; i < number_[pair].size(); ++i)
+      size_ = std::max(size_, std::abs(pairs_[pair].pushes[i].shares[0] * change_[number_[pair][i]]));
+  }
+  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) solve(pair);
   std::size_t sweeps = 0;
   for (bool changes = !shared_.empty(); changes; ++sweeps) {
     if (sweeps == most)
       throw NumericalError(
           "contact of crack faces: forces where cracks meet do not settle: take a finer spacing, or remove `contact`");
     changes = false;
-    for (const auto pair : shared_) changes = solve(pair, step.state) || changes;
+    for (const auto pair : shared_) changes = solve(pair) || changes;
   }
   add_forces(step, forces);
 }
 
 /// Adds the forces to folded ones, and finds what they take of the energy.
 void MovingFaces::add_forces(const FreeStep& step, Forces& forces) {
-  const double half = step.time_step / 2;
   lost_before_ = lost_after_ = 0;
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
     const auto& force = contacts_[pair].force;
@@ -145,8 +149,9 @@ void MovingFaces::add_forces(const FreeStep& step, Forces& forces) {
       const auto& [dof, inverse_mass, shares] = pushes[i];
       const double push = shares[0] * force[0] + shares[1] * force[1];
       at_dof(forces, dof) += push;
-      if (!step.first) lost_before_ -= half * push * at_dof(step.velocity, dof);
-      lost_after_ -= push * change_[number_[pair][i]] / 2;
+      const double change = change_[number_[pair][i]], before = step.time_step * at_dof(step.velocity, dof);
+      lost_before_ += step.first ? push * (change - before) / 4 : -push * before / 2;
+      lost_after_ -= push * change / 2;
     }
   }
 }

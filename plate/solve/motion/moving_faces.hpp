@@ -77,7 +77,7 @@ public:
   const ContactSoFar& saved() const { return so_far_; }
 
 private:
-  bool solve(std::size_t pair, const State& state);
+  bool solve(std::size_t pair);
   void add_forces(const FreeStep& step, Forces& forces);
 
   std::vector<MovingPair> pairs_;
@@ -86,6 +86,7 @@ private:
   std::vector<std::vector<std::size_t>> number_;  // of every push of every pair, in pushed_
   std::vector<std::size_t> shared_;               // pairs that push what other pairs push
   std::vector<double> change_;                    // of pushed_ over the step
+  double size_ = 0;                               // of displacements of faces, beside which there is rounding
   double response_ = 0;                           // of a unit mass to a unit force, over the step [time^2]
   ContactSoFar so_far_;
   double lost_before_ = 0, lost_after_ = 0;  // in both halves of the step in hand [energy]
