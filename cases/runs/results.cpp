@@ -60,7 +60,7 @@ void Results::sample(const plate::Instant& now, bool last) {
                                    now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
   row.discrete_energy = terms.discrete + now.potential;
   if (content().analysis.damping || now.faces) row.dissipated_energy = now.dissipated;
-  if (now.faces) row.contact_loss = now.contact_so_far.lost;
+  if (now.faces) row.contact_energy = now.contact_so_far.lost;
   if (now.contact_force) {
     const auto& contact_force = *now.contact_force;
     contact_forces_.rows.push_back({now.time, contact_force.place, contact_force.velocity, contact_force.force,
