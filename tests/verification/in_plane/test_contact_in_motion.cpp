@@ -264,14 +264,10 @@ in_plane = "fixed"
 kind = "edge_moment"
 edges = ["top"]
 value = 500.0
-history = "ramp"
-rise_time = 0.01
 [[load]]
 kind = "edge_traction"
 edges = ["top"]
 value = -300.0
-history = "ramp"
-rise_time = 0.01
 [srif]
 )";
 
@@ -279,8 +275,8 @@ struct Run {
   post::ResultsInMemory results;
   post::Summary summary;
 
-  explicit Run(const std::string& analysis) {
-    const auto file = cases::read_case_text(slow + analysis, "contact", {});
+  explicit Run(const std::string& analysis, const std::vector<std::string>& settings = {}) {
+    const auto file = cases::read_case_text(slow + analysis, "contact", settings);
     summary = cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
   }
   const post::Srif& tip(std::size_t which) const { return *post::recommended(summary.srif).at(which); }
@@ -297,7 +293,9 @@ struct Run {
 
 TEST_CASE("contact in motion: slow loads bring a damped plate to its equilibrium with contact", "[in_plane]") {
   const Run rest("[analysis]\nkind = \"static\"\n");
-  const Run moving("[analysis]\nkind = \"dynamic\"\nduration = 0.03\ndamping = { mass = 900.0 }\n");
+  const Run moving(
+      "[analysis]\nkind = \"dynamic\"\nduration = 0.03\ndamping = { mass = 900.0 }\n",
+      {"load[0].history=ramp", "load[0].rise_time=0.01", "load[1].history=ramp", "load[1].rise_time=0.01"});
   for (const std::size_t which : {0, 1}) {
     CAPTURE(which, moving.tip(which).K1 / rest.tip(which).K1 - 1, moving.tip(which).membrane->N[0]);
     CHECK(moving.tip(which).K1 == Approx(rest.tip(which).K1).epsilon(1e-3));
