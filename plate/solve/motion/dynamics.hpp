@@ -122,7 +122,7 @@ struct MotionCheckpoint {
   void serialize(Archive& archive) {
     archive(step, loads, work, before, driven, travelling, given, dissipated);
     archive(impactor_state.place, impactor_state.velocity, impactor_state.largest, impactor_state.touching);
-    archive(contact_so_far.least_opening, contact_so_far.lost);
+    archive(contact_so_far.least_opening, contact_so_far.lost, contact_so_far.held, contact_so_far.closed);
   }
 };
 

@@ -78,33 +78,97 @@ MovingFaces::MovingFaces(std::vector<MovingPair> pairs, const ContactSoFar& so_f
     for (const auto& push : pair.pushes) of_pair.push_back(numbers[push.dof]);
   }
   change_.resize(pushed_.size());
+  so_far_.held.resize(2 * pairs_.size()), so_far_.closed.resize(2 * pairs_.size());
+}
+
+/// Openings of both faces of a pair over a step by unit forces: top by top, top by bottom, bottom by bottom.
+std::array<double, 3> MovingFaces::compliance(std::size_t pair) const {
+  std::array<double, 3> result{};
+  for (const auto& [dof, inverse_mass, shares] : pairs_[pair].pushes) {
+    const double mobility = response_ * inverse_mass;
+    result[0] += mobility * shares[0] * shares[0];
+    result[1] += mobility * shares[0] * shares[1];
+    result[2] += mobility * shares[1] * shares[1];
+  }
+  return result;
+}
+
+/// Openings of a pair at the next step, or at the one before.
+AtFaces MovingFaces::opening(std::size_t pair, const FreeStep& step, bool next) const {
+  auto result = contacts_[pair].opening;
+  for (std::size_t i = 0; i < number_[pair].size(); ++i) {
+    const auto& push = pairs_[pair].pushes[i];
+    const double change = next ? change_[number_[pair][i]] : -step.time_step * at_dof(step.velocity, push.dof);
+    for (std::size_t face = 0; face < result.size(); ++face) result[face] += push.shares[face] * change;
+  }
+  return result;
+}
+
+/// Adds to the forces of a pair.
+void MovingFaces::push(std::size_t pair, const AtFaces& force) {
+  for (std::size_t i = 0; i < number_[pair].size(); ++i) {
+    const auto& [dof, inverse_mass, shares] = pairs_[pair].pushes[i];
+    change_[number_[pair][i]] += response_ * inverse_mass * (shares[0] * force[0] + shares[1] * force[1]);
+  }
+  for (std::size_t face = 0; face < force.size(); ++face) contacts_[pair].force[face] += force[face];
 }
 
 /// Finds the force of a pair with those of all others as they are. Returns whether it has changed beyond rounding.
 bool MovingFaces::solve(std::size_t pair) {
   constexpr double rounding = 1e-13;
-  const auto& pushes = pairs_[pair].pushes;
-  auto& [opening, force] = contacts_[pair];
-  std::array<double, 3> W{};
-  AtFaces free = opening;
-  for (std::size_t i = 0; i < pushes.size(); ++i) {
-    const auto& shares = pushes[i].shares;
-    const double mobility = response_ * pushes[i].inverse_mass, change = change_[number_[pair][i]];
-    W[0] += mobility * shares[0] * shares[0];
-    W[1] += mobility * shares[0] * shares[1];
-    W[2] += mobility * shares[1] * shares[1];
-    for (std::size_t face = 0; face < free.size(); ++face) free[face] += shares[face] * change;
-  }
+  const auto force = contacts_[pair].force;
+  const auto W = compliance(pair);
+  AtFaces free = contacts_[pair].opening;
+  for (std::size_t i = 0; i < number_[pair].size(); ++i)
+    for (std::size_t face = 0; face < free.size(); ++face)
+      free[face] += pairs_[pair].pushes[i].shares[face] * change_[number_[pair][i]];
   free[0] -= W[0] * force[0] + W[1] * force[1], free[1] -= W[1] * force[0] + W[2] * force[1];
   for (double& one : free)
     if (one > -rounding * size_) one = std::max(one, 0.0);
-  const auto before = std::exchange(force, complementary(W, free));
-  const AtFaces more{force[0] - before[0], force[1] - before[1]};
+  const auto found = complementary(W, free);
+  const AtFaces more{found[0] - force[0], found[1] - force[1]};
   if (more[0] == 0 && more[1] == 0) return false;
-  for (std::size_t i = 0; i < pushes.size(); ++i)
-    change_[number_[pair][i]] +=
-        response_ * pushes[i].inverse_mass * (pushes[i].shares[0] * more[0] + pushes[i].shares[1] * more[1]);
+  push(pair, more);
+  contacts_[pair].force = found;
   return std::max(W[0] * std::abs(more[0]), W[2] * std::abs(more[1])) > rounding * size_;
+}
+
+/// Counts what a pair of its own loses in the step, and gives it what it holds where it opens: by the force f along d
+/// whose work is that energy, f d (g^(n+1) - g^(n-1)) / 2, with what is still pressed kept closed.
+void MovingFaces::give_back(std::size_t pair, const FreeStep& step) {
+  double* const held = so_far_.held.data() + 2 * pair;
+  char* const closed = so_far_.closed.data() + 2 * pair;
+  const auto force = contacts_[pair].force;
+  const auto before = opening(pair, step, false), next = opening(pair, step, true);
+  AtFaces along{0, 0};
+  double energy = 0, way = 0;
+  for (const std::size_t face : {0, 1}) {
+    if (force[face] > 0)
+      held[face] += force[face] * (before[face] - next[face]) / (step.first ? 4 : 2);
+    else if (closed[face] && held[face] > 0)
+      along[face] = 1, energy += held[face], way += next[face] - before[face];
+    closed[face] = force[face] > 0;
+  }
+  if (!(energy > 0)) return;
+  const auto W = compliance(pair);
+  const std::size_t other = along[0] > 0 ? 1 : 0;
+  const double of_other = W[2 * other];
+  double compliance = along[0] * W[0] + along[1] * W[2] + 2 * along[0] * along[1] * W[1];
+  const bool pressed = force[other] > 0;
+  if (pressed) compliance -= W[1] * W[1] / of_other;
+  constexpr double none = 1e-9;  // supports hold both faces together
+  if (compliance <= none * (W[0] + W[2])) return;
+  const double f = (std::sqrt(way * way + 8 * compliance * energy) - way) / (2 * compliance);
+  AtFaces more{along[0] * f, along[1] * f};
+  if (pressed) more[other] = -W[1] / of_other * f;
+  if (force[other] + more[other] < 0) return;
+  push(pair, more);
+  for (const std::size_t face : {0, 1})
+    if (along[face] > 0) held[face] = 0;
+  if (const double after = opening(pair, step, true)[other]; along[other] == 0 && !pressed && after < 0) {
+    more = {0, 0}, more[other] = -after / of_other;
+    push(pair, more);
+  }
 }
 
 void MovingFaces::press(const FreeStep& step, Forces& forces) {
@@ -135,6 +199,8 @@ void MovingFaces::press(const FreeStep& step, Forces& forces) {
     changes = false;
     for (const auto pair : shared_) changes = solve(pair) || changes;
   }
+  for (std::size_t pair = 0; pair < pairs_.size(); ++pair)
+    if (!std::ranges::binary_search(shared_, pair)) give_back(pair, step);
   add_forces(step, forces);
 }
 

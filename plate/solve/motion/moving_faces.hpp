@@ -44,11 +44,15 @@ struct PairContact {
 /// Contact of crack faces until now.
 struct ContactSoFar {
   double least_opening = INFINITY;  // of all steps [length]
-  double lost = 0;                  // by points that meet [energy]
+  double lost = 0;                  // by points that meet, less what they have given back [energy]
+  std::vector<double> held = {};    // of every pair at both faces: to be given back as it opens [energy]
+  std::vector<char> closed = {};    // of every pair at both faces, in the step before
 };
 
 /// Faces of cracks that do not overlap in time steps, without friction: the forces of a step are not negative, no
-/// opening is negative at the next one, and one of both is zero (theory (91)).
+/// opening is negative at the next one, and one of both is zero.
+/// Pairs of their own hold the energy that they lose as they meet until they open, and give it back then (theory.md,
+/// "Faces that touch").
 class MovingFaces {
 public:
   MovingFaces() = default;
@@ -72,12 +76,16 @@ public:
 
   const std::vector<PairContact>& contacts() const { return contacts_; }
   /// Until a step whose forces have been found.
-  ContactSoFar so_far() const { return {so_far_.least_opening, so_far_.lost + lost_before_}; }
+  ContactSoFar so_far() const { return {so_far_.least_opening, so_far_.lost + lost_before_, {}, {}}; }
   /// To go on from before a step.
   const ContactSoFar& saved() const { return so_far_; }
 
 private:
   bool solve(std::size_t pair);
+  std::array<double, 3> compliance(std::size_t pair) const;
+  AtFaces opening(std::size_t pair, const FreeStep& step, bool next) const;
+  void push(std::size_t pair, const AtFaces& force);
+  void give_back(std::size_t pair, const FreeStep& step);
   void add_forces(const FreeStep& step, Forces& forces);
 
   std::vector<MovingPair> pairs_;

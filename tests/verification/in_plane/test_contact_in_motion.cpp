@@ -179,7 +179,6 @@ Breathing breathe(const cases::Case& c, double amplitude, double drift, double p
 }  // namespace
 
 TEST_CASE("contact in motion: a bar that hits an equal one hands over its velocity", "[in_plane]") {
-  std::vector<double> lost;
   for (const double spacing : {1.0 / 40, 1.0 / 80}) {
     const auto found = hit({.spacing = spacing});
     CAPTURE(spacing, found.duration, found.force, found.speed[0], found.speed[1], found.lost);
@@ -188,12 +187,10 @@ TEST_CASE("contact in motion: a bar that hits an equal one hands over its veloci
     CHECK(found.speed[0] == Approx(0).margin(0.02));   // 0.9 % at 1/80
     CHECK(found.speed[1] == Approx(1).epsilon(0.02));
     CHECK(std::abs(found.across) < 1e-10);
-    CHECK(found.momentum < 1e-10);                          // 4e-12
-    CHECK(found.imbalance < 1e-10);                         // 8e-14
-    CHECK(found.lost == Approx(spacing / 4).epsilon(0.1));  // the masses of the points that meet
-    lost.push_back(found.lost);
+    CHECK(found.momentum < 1e-10);        // 4e-12
+    CHECK(found.imbalance < 1e-10);       // 8e-14
+    CHECK(std::abs(found.lost) < 1e-10);  // points have given back all that they held
   }
-  CHECK(lost[0] / lost[1] == Approx(2).epsilon(0.1));
 }
 
 TEST_CASE("contact in motion: bars do the same turned and mirrored", "[in_plane]") {
@@ -205,7 +202,7 @@ TEST_CASE("contact in motion: bars do the same turned and mirrored", "[in_plane]
   CHECK(found.speed[0] == Approx(straight.speed[0]).margin(near));
   CHECK(found.speed[1] == Approx(straight.speed[1]).margin(near));
   CHECK(found.force == Approx(straight.force).epsilon(near));
-  CHECK(found.lost == Approx(straight.lost).epsilon(near * 20));
+  CHECK(std::abs(found.lost) < 1e-3);
   CHECK(found.momentum < 1e-10);
 }
 
@@ -227,17 +224,8 @@ TEST_CASE("contact in motion: a crack that opens and closes keeps energy and mom
   CHECK(found.overlap > -1e-13);                        // -6e-16
   CHECK(found.opening > 1e-3);
   CHECK(found.lost > 0);
-  CHECK(found.lost < 0.5);        // 0.05 to 0.43: faces a spacing of 0.1 apart rattle all the time
+  CHECK(found.lost < (cracks.size() > 1 ? 0.5 : 0.05));
   CHECK(found.momentum < 1e-10);  // 7e-14
-}
-
-TEST_CASE("contact in motion: less is lost with finer points", "[in_plane]") {
-  auto c = breathing(0.1, false, {{{-0.4, -0.1}, {0.45, 0.2}}});
-  const auto coarse = breathe(c, 0.03, 0, 1);
-  c.discretization.spacing = 0.05;
-  const auto fine = breathe(c, 0.03, 0, 1);
-  CAPTURE(coarse.lost, fine.lost);
-  CHECK(fine.lost < coarse.lost);
 }
 
 namespace {
