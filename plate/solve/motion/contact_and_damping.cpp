@@ -82,7 +82,7 @@ ContactAndDamping::ContactAndDamping(const DynamicOptions& options, const State&
     : damping_{options.mass_damping, options.stiffness_damping},
       time_step_(options.time_step),
       kept_(options.save),
-      faces_(options.faces, options.from ? options.from->contact_so_far : ContactSoFar{}) {
+      faces_(options.faces, options.from ? options.from->contact : ContactMemory{}) {
   const auto* from = options.from;
   if (from) earlier_ = from->earlier, dissipated_ = from->dissipated;
   if (options.impact)
@@ -116,7 +116,7 @@ void ContactAndDamping::move(double share) {
 }
 
 void ContactAndDamping::save(MotionCheckpoint& memory) const {
-  memory.earlier = earlier_, memory.dissipated = dissipated_, memory.contact_so_far = faces_.saved();
+  memory.earlier = earlier_, memory.dissipated = dissipated_, memory.contact = faces_.memory();
   if (contact_) memory.impactor_state = contact_->impactor_state();
 }
 

@@ -115,14 +115,14 @@ struct MotionCheckpoint {
   State earlier = {};                                // of the step before, where the stiffness damps
   double dissipated = 0;
   ImpactorState impactor_state = {};
-  ContactSoFar contact_so_far = {};
+  ContactMemory contact = {};
 
   /// Archives what all ranks know: not state, velocity and earlier, whose values go with the points.
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step, loads, work, before, driven, travelling, given, dissipated);
     archive(impactor_state.place, impactor_state.velocity, impactor_state.largest, impactor_state.touching);
-    archive(contact_so_far.least_opening, contact_so_far.lost, contact_so_far.held, contact_so_far.closed);
+    archive(contact.so_far.least_opening, contact.so_far.lost, contact.held, contact.closed);
   }
 };
 

@@ -61,8 +61,8 @@ MovingPair moving_pair(const FacePair& pair, double arm, std::size_t points, con
   return result;
 }
 
-MovingFaces::MovingFaces(std::vector<MovingPair> pairs, const ContactSoFar& so_far)
-    : pairs_(std::move(pairs)), contacts_(pairs_.size()), so_far_(so_far) {
+MovingFaces::MovingFaces(std::vector<MovingPair> pairs, ContactMemory memory)
+    : pairs_(std::move(pairs)), contacts_(pairs_.size()), memory_(std::move(memory)) {
   std::map<Dof, std::vector<std::size_t>> pairs_of;
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     for (const auto& push : pairs_[i].pushes) pairs_of[push.dof].push_back(i);
@@ -78,7 +78,7 @@ MovingFaces::MovingFaces(std::vector<MovingPair> pairs, const ContactSoFar& so_f
     for (const auto& push : pair.pushes) of_pair.push_back(numbers[push.dof]);
   }
   change_.resize(pushed_.size());
-  so_far_.held.resize(2 * pairs_.size()), so_far_.closed.resize(2 * pairs_.size());
+  memory_.held.resize(2 * pairs_.size()), memory_.closed.resize(2 * pairs_.size());
 }
 
 /// Openings of both faces of a pair over a step by unit forces: top by top, top by bottom, bottom by bottom.
@@ -136,8 +136,8 @@ bool MovingFaces::solve(std::size_t pair) {
 /// Counts what a pair of its own loses in the step, and gives it what it holds where it opens: by the force f along d
 /// whose work is that energy, f d (g^(n+1) - g^(n-1)) / 2, with what is still pressed kept closed.
 void MovingFaces::give_back(std::size_t pair, const FreeStep& step) {
-  double* const held = so_far_.held.data() + 2 * pair;
-  char* const closed = so_far_.closed.data() + 2 * pair;
+  double* const held = memory_.held.data() + 2 * pair;
+  char* const closed = memory_.closed.data() + 2 * pair;
   const auto force = contacts_[pair].force;
   const auto before = opening(pair, step, false), next = opening(pair, step, true);
   AtFaces along{0, 0};
@@ -184,7 +184,7 @@ void MovingFaces::press(const FreeStep& step, Forces& forces) {
       for (std::size_t face = 0; face < shares.size(); ++face) opening[face] += shares[face] * value;
       size_ = std::max(size_, std::abs(shares[0] * value));
     }
-    so_far_.least_opening = std::min({so_far_.least_opening, opening[0], opening[1]});
+    memory_.so_far.least_opening = std::min({memory_.so_far.least_opening, opening[0], opening[1]});
   }
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
     for (std::size_t i = 0; i < number_[pair].size(); ++i)

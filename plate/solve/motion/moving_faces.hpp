@@ -45,8 +45,13 @@ struct PairContact {
 struct ContactSoFar {
   double least_opening = INFINITY;  // of all steps [length]
   double lost = 0;                  // by points that meet, less what they have given back [energy]
-  std::vector<double> held = {};    // of every pair at both faces: to be given back as it opens [energy]
-  std::vector<char> closed = {};    // of every pair at both faces, in the step before
+};
+
+/// Contact of crack faces between two steps.
+struct ContactMemory {
+  ContactSoFar so_far = {};
+  std::vector<double> held = {};  // of every pair at both faces: to be given back as it opens [energy]
+  std::vector<char> closed = {};  // likewise, in the step before
 };
 
 /// Faces of cracks that do not overlap in time steps, without friction: the forces of a step are not negative, no
@@ -56,7 +61,7 @@ struct ContactSoFar {
 class MovingFaces {
 public:
   MovingFaces() = default;
-  MovingFaces(std::vector<MovingPair> pairs, const ContactSoFar& so_far);
+  MovingFaces(std::vector<MovingPair> pairs, ContactMemory memory);
 
   bool any() const { return !pairs_.empty(); }
 
@@ -72,13 +77,13 @@ public:
   /// Finds the forces of a step and adds them to folded forces.
   void press(const FreeStep& step, Forces& forces);
   /// Counts the step, which has been taken.
-  void count() { so_far_.lost += lost_before_ + lost_after_; }
+  void count() { memory_.so_far.lost += lost_before_ + lost_after_; }
 
   const std::vector<PairContact>& contacts() const { return contacts_; }
   /// Until a step whose forces have been found.
-  ContactSoFar so_far() const { return {so_far_.least_opening, so_far_.lost + lost_before_, {}, {}}; }
+  ContactSoFar so_far() const { return {memory_.so_far.least_opening, memory_.so_far.lost + lost_before_}; }
   /// To go on from before a step.
-  const ContactSoFar& saved() const { return so_far_; }
+  const ContactMemory& memory() const { return memory_; }
 
 private:
   bool solve(std::size_t pair);
@@ -96,7 +101,7 @@ private:
   std::vector<double> change_;                    // of pushed_ over the step
   double size_ = 0;                               // of displacements of faces, beside which there is rounding
   double response_ = 0;                           // of a unit mass to a unit force, over the step [time^2]
-  ContactSoFar so_far_;
+  ContactMemory memory_;
   double lost_before_ = 0, lost_after_ = 0;  // in both halves of the step in hand [energy]
 };
 
