@@ -47,6 +47,7 @@ private:
   RunCheckpoints* checkpoints_;
   std::vector<double> largest_in_plane_;  // factor of every tip so far
   double largest_rotation_ = 0, largest_pressure_ = 0;
+  post::Table contact_ = {};  // of the last row
 };
 
 /// Options of the motion, but for checkpoints.
@@ -131,7 +132,7 @@ void StretchedMotionRun::touch(const plate::Instant& both) {
   largest_pressure_ = std::max(largest_pressure_, found.largest_force());
   summary().contact = {both.contact_so_far.least_opening, largest_pressure_, found.closed_share()};
   results_.closed(post::closed_tips(found, plate_.tips()));
-  outputs_.recorder().table("contact", table_of(found));
+  contact_ = table_of(found);
 }
 
 /// Sets the energies of the summary. At the end, says where nothing has moved.
@@ -208,6 +209,7 @@ void StretchedMotionRun::solve() {
 
 void StretchedMotionRun::finish() {
   outputs_.warn(warnings_about_rotations(largest_rotation_));
+  if (!contact_.rows.empty()) outputs_.recorder().table("contact", contact_);
   results_.finish();
 }
 

@@ -182,10 +182,10 @@ TEST_CASE("contact in motion: a bar that hits an equal one hands over its veloci
   for (const double spacing : {1.0 / 40, 1.0 / 80}) {
     const auto found = hit({.spacing = spacing});
     CAPTURE(spacing, found.duration, found.force, found.speed[0], found.speed[1], found.lost);
-    CHECK(found.duration == Approx(1).epsilon(0.01));  // -0.2, 0.5 %
-    CHECK(found.force == Approx(1).epsilon(0.03));     // 1.3 % at 1/80
-    CHECK(found.speed[0] == Approx(0).margin(0.02));   // 0.9 % at 1/80
-    CHECK(found.speed[1] == Approx(1).epsilon(0.02));
+    CHECK(found.duration == Approx(1).epsilon(0.02));  // 1.3, 1.2 %
+    CHECK(found.force == Approx(1).epsilon(0.02));     // 1.6, 1.0 %
+    CHECK(found.speed[0] == Approx(0).margin(0.015));  // 0.010, 0.007
+    CHECK(found.speed[1] == Approx(1).epsilon(0.015));
     CHECK(std::abs(found.across) < 1e-10);
     CHECK(found.momentum < 1e-10);        // 4e-12
     CHECK(found.imbalance < 1e-10);       // 8e-14
@@ -224,8 +224,8 @@ TEST_CASE("contact in motion: a crack that opens and closes keeps energy and mom
   CHECK(found.overlap > -1e-13);                        // -6e-16
   CHECK(found.opening > 1e-3);
   CHECK(found.lost > 0);
-  CHECK(found.lost < (cracks.size() > 1 ? 0.5 : 0.05));
-  CHECK(found.momentum < 1e-10);  // 7e-14
+  CHECK(found.lost < (cracks.size() > 1 ? 0.5 : 0.05));  // 0.29 where cracks cross; 0.013
+  CHECK(found.momentum < 1e-10);                         // 7e-14
 }
 
 namespace {
