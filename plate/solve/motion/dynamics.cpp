@@ -110,8 +110,13 @@ void press_faces(const Step& now, const Values<Real>& force, const Masses& masse
                                    .first = now.step == 0});
 }
 
-/// Sets the strain energy where forces are not linear in the state: half their work is another number there.
-void set_energy(const DynamicOptions& options, const ContactAndDamping& contact_and_damping, Instant& instant) {
+/// Sets the contact of crack faces, and the strain energy where forces are not linear in the state: half their work is
+/// another number there.
+void complete(const DynamicOptions& options, const ContactAndDamping& contact_and_damping, Instant& instant) {
+  if (const auto& faces = contact_and_damping.faces(); faces.any()) {
+    instant.faces = &faces.contacts(), instant.contact_so_far = faces.so_far();
+    instant.dissipated += instant.contact_so_far.lost;
+  }
   if (!options.strain_energy) return;
   instant.strain_energy = options.strain_energy(instant.state);
   if (const auto& contact = contact_and_damping.contact()) instant.strain_energy += contact->spring();
@@ -257,11 +262,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       require_finite(state, fmt::format("at step {}, time {:g}", step, time), constraints);
       auto instant = seen(now, force, work, masses, constraints, contact_and_damping);
       instant.dissipated = contact_and_damping.dissipated() + before;
-      if (const auto& faces = contact_and_damping.faces(); faces.any()) {
-        instant.faces = &faces.contacts(), instant.contact_so_far = faces.so_far();
-        instant.dissipated += instant.contact_so_far.lost;
-      }
-      driven.complete(instant), travelling.complete(instant), set_energy(options, contact_and_damping, instant);
+      driven.complete(instant), travelling.complete(instant), complete(options, contact_and_damping, instant);
       instant.held_force = std::move(held_force), instant.interrupted = stops;
       observe(instant);
     }
