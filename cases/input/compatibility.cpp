@@ -230,6 +230,14 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},
     {large_deflections, processes, "analysis.nonlinear", by_one_process("large deflections cannot be found")},
+    {touching_faces, lanczos, "analysis.method",
+     "\"lanczos\" needs a linear plate, and faces of cracks that open and close make it nonlinear; choose "
+     "\"central_difference\""},
+    {touching_faces, stiffness_damping, "analysis.damping",
+     "the stiffness changes where faces of cracks meet, and so would damping by it: give mass alone"},
+    {touching_faces, growth_of_heated_cracks_in_motion, "cracks.contact",
+     "growth in motion takes no account of faces that touch: remove it, or let cracks grow at rest, with unstable = "
+     "\"stop\" or \"jump\""},
     {touching_faces, unilateral_foundation, "cracks.contact",
      "contact of faces and of soil are not found together yet: remove it, or lifts_off"},
     {touching_faces, factors_to_accuracy, "srif.accuracy",

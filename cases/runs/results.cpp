@@ -46,8 +46,7 @@ void Results::in_plane(const plate::Formulation& membrane, MembraneResult result
 
 void Results::touching(FacesFound found) {
   outputs_.summary().contact = found.summary;
-  outputs_.recorder().table("contact", std::move(found.faces));
-  closed_ = std::move(found.closed);
+  closed_ = std::move(found.closed), faces_ = std::move(found.faces);
 }
 
 /// Finds the stress by bending and membrane forces together, where the strain energy is larger than before.
@@ -66,7 +65,8 @@ void Results::sample(const plate::Instant& now, bool last) {
   post::EnergyBalance::Terms terms{now.strain_energy + now.kinetic_energy + now.dissipated,
                                    now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
   row.discrete_energy = terms.discrete + now.potential;
-  if (content().analysis.damping) row.dissipated_energy = now.dissipated;
+  if (content().analysis.damping || now.faces) row.dissipated_energy = now.dissipated;
+  if (now.faces) row.contact_energy = now.contact_so_far.lost;
   if (now.contact_force) {
     const auto& contact_force = *now.contact_force;
     contact_forces_.rows.push_back({now.time, contact_force.place, contact_force.velocity, contact_force.force,
@@ -187,6 +187,7 @@ std::vector<std::string> doubts_in_plane(const std::vector<post::Srif>& srifs, c
 }  // namespace
 
 void Results::finish() {
+  if (!faces_.rows.empty()) outputs_.recorder().table("contact", std::move(faces_));
   const auto& section = content().section;
   auto& recorder = outputs_.recorder();
   auto& summary = outputs_.summary();
@@ -229,8 +230,7 @@ void Results::finish() {
     outputs_.warn(in_plane_->warnings);
     if (!content().faces_touch()) {
       outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
-      const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ && !content().coupled() &&
-                             plate_.offers(plate::Feature::touching_faces);
+      const bool may_touch = !content().coupled() && plate_.offers(plate::Feature::touching_faces);
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }
   }

@@ -85,6 +85,7 @@ private:
   const plate::Formulation* membrane_ = nullptr;
   std::optional<MembraneResult> in_plane_;
   std::vector<post::ClosedTip> closed_;  // of every tip, where faces of cracks may touch
+  post::Table faces_;                    // contact.csv
 };
 
 }  // namespace cases

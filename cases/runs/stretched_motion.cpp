@@ -13,6 +13,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/stretched_motion.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/terminal.hpp"
 
@@ -37,6 +38,7 @@ private:
   void observe(const plate::Instant& both);
   MembraneResult in_plane(const plate::Instant& both, bool last);
   void conclude(const plate::Instant& both, const plate::Instant& now, bool last);
+  void touch(const plate::Instant& both);
   void save(const plate::MotionCheckpoint& now);
   std::optional<plate::MotionCheckpoint> restored();
 
@@ -45,7 +47,7 @@ private:
   plate::StretchedMotion both_;
   RunCheckpoints* checkpoints_;
   std::vector<double> largest_in_plane_;  // factor of every tip so far
-  double largest_rotation_ = 0;
+  double largest_rotation_ = 0, largest_pressure_ = 0;
 };
 
 /// Options of the motion, but for checkpoints.
@@ -63,6 +65,7 @@ plate::DynamicOptions StretchedMotionRun::options() {
   result.impact = begin.impact;
   if (analysis.damping) result.mass_damping = analysis.damping->mass;
   if (plate::has_prescribed_displacements(plate_)) result.unconstrained_mass = both_.unconstrained_mass();
+  result.faces = both_.faces();
   if (both_.stretching()) result.strain_energy = [&](const plate::State& state) { return both_.strain_energy(state); };
   return result;
 }
@@ -105,19 +108,31 @@ void StretchedMotionRun::observe(const plate::Instant& both) {
                      .acceleration = [&] { return plate::of_plate(both.acceleration()); },
                      .interrupted = both.interrupted,
                      .dissipated = both.dissipated,
-                     .contact_force = both.contact_force};
+                     .contact_force = both.contact_force,
+                     .faces = both.faces,
+                     .contact_so_far = both.contact_so_far};
   plate::Forces on_bending, on_membrane;
   if (const auto* stretching = both_.stretching()) {
     stretching->internal_force(bending, plate::of_plane(both.state), on_bending, on_membrane);
     now.stretched = &on_bending;
     largest_rotation_ = std::max(largest_rotation_, bending.bottomRows(2).colwise().norm().maxCoeff());
   }
+  if (both.faces) touch(both);
   results_.in_plane(membrane_, in_plane(both, last));
   results_.sample(now, last);
   stopwatch().lap("srif");
   if (last || now.interrupted || now.time >= results_.next_frame() - grid.time_step / 2) results_.frame(now);
   stopwatch().lap("output");
   conclude(both, now, last);
+}
+
+/// Takes the contact of crack faces: faces that are closed at tips, the table of this row, and the summary.
+void StretchedMotionRun::touch(const plate::Instant& both) {
+  const auto found = both_.touching(*both.faces);
+  largest_pressure_ = std::max(largest_pressure_, found.largest_force());
+  auto said = faces_found(found, plate_);
+  said.summary = {both.contact_so_far.least_opening, largest_pressure_, found.closed_share()};
+  results_.touching(std::move(said));
 }
 
 /// Sets the energies of the summary. At the end, says where nothing has moved.
@@ -131,7 +146,8 @@ void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Insta
                     {"kinetic", now.kinetic_energy},
                     {"external_work", results_.external_work()}};
   add_elastic_support_energy(plate_, now.state, summary);
-  if (content().analysis.damping) summary.energy.emplace_back("dissipated", now.dissipated);
+  if (content().analysis.damping || now.faces) summary.energy.emplace_back("dissipated", now.dissipated);
+  if (now.faces) summary.energy.emplace_back("contact", now.contact_so_far.lost);
   const plate::State membrane = plate::of_plane(both.state);
   if (!last || post::moves(now.state, now.external_work, plate_) || post::moves(membrane, now.external_work, membrane_))
     return;
@@ -142,7 +158,7 @@ void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Insta
 
 void StretchedMotionRun::save(const plate::MotionCheckpoint& now) {
   const auto save_state = [&](plate::OutArchive& archive) {
-    archive(now, largest_in_plane_, largest_rotation_);
+    archive(now, largest_in_plane_, largest_rotation_, largest_pressure_);
     results_.save(archive);
   };
   const std::array<plate::State, 4> parts{plate::of_plate(now.state), plate::of_plane(now.state),
@@ -156,7 +172,7 @@ void StretchedMotionRun::save(const plate::MotionCheckpoint& now) {
 std::optional<plate::MotionCheckpoint> StretchedMotionRun::restored() {
   plate::MotionCheckpoint result;
   const bool found = checkpoints_->restore([&](plate::InArchive& archive) {
-    archive(result, largest_in_plane_, largest_rotation_);
+    archive(result, largest_in_plane_, largest_rotation_, largest_pressure_);
     results_.restore(archive);
   });
   if (!found) return std::nullopt;

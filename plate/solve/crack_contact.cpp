@@ -78,11 +78,14 @@ double TouchingFaces::closed_share() const {
   return faces.empty() ? 0 : closed / length();
 }
 
+double lever_of(const FacePair& pair, const PointSections& sections) {
+  return std::min(sections[pair.left].thickness, sections[pair.right].thickness) / 2;
+}
+
 FaceRows::FaceRows(const Formulation& plate)
     : plate_(plate), pairs_(plate.face_pairs()), arms_(Eigen::Index(pairs_.size())) {
   for (Eigen::Index i = 0; i < arms_.size(); ++i) {
-    const auto& pair = pairs_[std::size_t(i)];
-    arms_[i] = std::min(plate.sections()[pair.left].thickness, plate.sections()[pair.right].thickness) / 2;
+    arms_[i] = lever_of(pairs_[std::size_t(i)], plate.sections());
   }
 }
 
