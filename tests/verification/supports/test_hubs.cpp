@@ -148,14 +148,21 @@ TEST_CASE("a hub in the middle of a clamped disc carries what the annulus of Min
   constexpr double outer = 1, inner = 0.2, middle = 0.6;
   for (const auto& springs : {Springs{{}, 0.0}, Springs{{}, {}}, Springs{0.5, 0.0}, Springs{0.5, {}}}) {
     const Annulus exact(vp::section, outer, inner, springs.k_w);
-    const Found found(annulus(outer, inner, springs, 0.05));
-    const auto hub = found.of("hole0");
-    CAPTURE(springs.k_w.has_value(), springs.k_phi.has_value(), hub.force, exact.reaction());
-    CHECK(hub.force == Approx(exact.reaction()).epsilon(0.01));
-    CHECK(found.deflection({middle, 0}) == Approx(exact.at(middle)).epsilon(0.02));
-    if (springs.k_w) CHECK(hub.force == Approx(-*springs.k_w * exact.at(inner)).epsilon(0.01));
-    CHECK(std::hypot(hub.moment_x, hub.moment_y) < 1e-4 * std::abs(hub.force) * inner);
-    CHECK(found.reactions.balance.residual < 1e-10);
+    double last_force = 0.02, last_deflection = 0.05;
+    for (const double spacing : {0.05, 0.025}) {
+      const Found found(annulus(outer, inner, springs, spacing));
+      const auto of_hub = found.of("hole0");
+      const double force = std::abs(of_hub.force / exact.reaction() - 1),
+                   deflection = std::abs(found.deflection({middle, 0}) / exact.at(middle) - 1);
+      CAPTURE(springs.k_w.has_value(), springs.k_phi.has_value(), spacing, force, deflection);
+      CHECK(force < last_force / 2);            // measured: 0.29 and 0.09 %, on a spring 0.88 and 0.23 %
+      CHECK(deflection < last_deflection / 2);  // 2.3 and 0.63 %, on a spring 0.81 and 0.20 %
+      last_force = force, last_deflection = deflection;
+      const double moment = std::hypot(of_hub.moment_x, of_hub.moment_y);
+      CHECK(moment < (springs.k_phi ? 1e-12 : 2e-4));  // cells are not symmetric: 7e-5, free 8e-18
+      if (springs.k_w) CHECK(of_hub.force == Approx(-*springs.k_w * exact.at(inner)).epsilon(0.01));
+      CHECK(found.reactions.balance.residual < 1e-10);
+    }
   }
 }
 
@@ -174,7 +181,6 @@ TEST_CASE("a hub that is free to turn takes no moment; a spring takes its share 
     CHECK(rigid.norm() > 0.01);
     CHECK(free.norm() < 1e-9 * rigid.norm());
     CHECK((stiff - rigid).norm() < 1e-6 * rigid.norm());
-    // about each axis a spring k beside the plate's own stiffness K takes k / (K + k) of the moment: K couples both
     double last = 0;
     for (const double k : {0.01, 0.1, 1.0, 10.0, 100.0, 1000.0}) {
       const double share = moment(k).norm() / rigid.norm();
