@@ -19,6 +19,7 @@
 #include "plate/bonds/validation.hpp"
 #include "plate/bonds/visibility.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/formulation/hubs.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/mechanisms.hpp"
@@ -157,6 +158,7 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
     return largest_of(*this, here == diagonal) > 0 ? diagonal : here;
   };
   if (wanted == automatic) wanted = usual();
+  if (wanted == two_level && hubs_move(problem().supports, section().law)) wanted = local;
   if (wanted == diagonal) return {nullptr, "diagonal"};
   if (wanted == local)
     return {std::make_unique<ShortHorizonPreconditioner>(op_, boundary(), section(), discretization()), "local"};
@@ -321,11 +323,13 @@ std::unique_ptr<Formulation> OrdinaryPlate::middle_plane() const {
 
 }  // namespace
 
-/// The factor of the two-level plate and the iterations with it cost about as much as 600 iterations with the diagonal.
+/// Coarse points of a hub that moves are coupled farther than the two-level plate looks: it has the local one. The
+/// factor of the two-level plate and the iterations with it cost about as much as 600 iterations with the diagonal.
 Preconditioning usual_preconditioner_of_bonds(const Problem& problem, double points) {
   constexpr double worth = 600;
   const bool faster = iterations_with_diagonal(problem) > worth && factor_bytes(points) < free_memory() / 2;
-  return faster ? Preconditioning::two_level : Preconditioning::diagonal;
+  const bool moving = hubs_move(problem.supports, problem.section.law);
+  return !faster ? Preconditioning::diagonal : moving ? Preconditioning::local : Preconditioning::two_level;
 }
 
 const FormulationKind ordinary{

@@ -62,6 +62,13 @@ void tie_in_plane(Constraints& constraints, const Hub& hub, const std::vector<Po
   }
 }
 
+void fix_in_plane(Boundary& boundary, const Hub& hub) {
+  for (const auto k : hub.points) {
+    for (std::uint32_t c = 1; c < unknowns_per_point; ++c) boundary.constraints.fix(dof(k, c));
+    boundary.holds.push_back({k, hub.holder, true});
+  }
+}
+
 /// Ties the points of a hub to the rotations of the first, and to its deflection where the centre is held by a spring.
 void tie_in_bending(Boundary& boundary, const Hub& hub, const Support& support, const SupportOffsets& moved) {
   const auto& positions = boundary.cloud.positions;
@@ -103,7 +110,11 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::C
   for (std::uint32_t i = 0; i < holders.size(); ++i) {
     const auto& patch = supports[holders[i].support].patch;
     const auto* circle = patch ? std::get_if<Circle>(&*patch) : nullptr;
-    if (holders[i].kind != SupportKind::hub || !circle) continue;
+    if (holders[i].kind != SupportKind::hub) continue;
+    if (!circle)
+      throw Refused({{Subject::support_edges, holders[i].support,
+                      "bonds have no points on the rim of a hole, which a hub would move: choose formulation = "
+                      "\"galerkin\""}});
     const double spacing = cloud.units.spacing;
     result.push_back({i, circle->centre, points_within(*circle, cloud.positions, cloud.plate_points, spacing)});
     require_disc(result.back(), holders[i], cloud.positions, spacing);
@@ -142,14 +153,25 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::O
   return result;
 }
 
+bool hubs_move(const std::vector<Support>& supports, PlateLaw law) {
+  return std::ranges::any_of(supports, [&](const Support& support) {
+    const bool moves = law == PlateLaw::membrane ? support.held_in_plane() != InPlane::fixed
+                                                 : support.k_w.has_value() || support.k_phi.has_value();
+    return support.kind == SupportKind::hub && moves;
+  });
+}
+
 void hold_hubs(Boundary& boundary, const std::vector<Hub>& hubs, const std::vector<Support>& supports, PlateLaw law,
                const SupportOffsets& moved) {
   for (const auto& hub : hubs) {
     boundary.holders[hub.holder].position = hub.centre;
-    if (law == PlateLaw::membrane)
+    const auto& support = supports[boundary.holders[hub.holder].support];
+    if (law == PlateLaw::membrane && support.held_in_plane() == InPlane::fixed)
+      fix_in_plane(boundary, hub);
+    else if (law == PlateLaw::membrane)
       tie_in_plane(boundary.constraints, hub, boundary.cloud.positions);
     else
-      tie_in_bending(boundary, hub, supports[boundary.holders[hub.holder].support], moved);
+      tie_in_bending(boundary, hub, support, moved);
   }
   for (const auto& hub : hubs) require_alone(boundary, hub);
 }

@@ -19,7 +19,7 @@ struct Hub {
 };
 
 /// Finds the hubs on points in the middles of cells: each has the points within its circle.
-/// @throws Refused  where its points lie on one line
+/// @throws Refused  where its points lie on one line, or it fills a hole
 std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud);
 
 /// Finds the hubs on points that are corners of cells: each has the points on the rim of its hole, or those within its
@@ -27,6 +27,9 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::C
 /// @throws Refused  where its points lie on one line
 std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Outline& outline,
                          const geometry::Tessellation& cells);
+
+/// True where a hub moves or turns, in a plate that bends or in its plane: its points then follow one of them.
+bool hubs_move(const std::vector<Support>& supports, PlateLaw law);
 
 /// Ties the points of hubs to the first of each: in a plate that bends rotations alike and w by the lever, in the plane
 /// a motion and a turn. Before Constraints::resolve().

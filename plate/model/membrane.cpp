@@ -3,9 +3,9 @@
 namespace plate {
 namespace {
 
-/// The kind that holds the rotations as a support holds the displacements in the plane. A hub stays rigid where it
-/// moves.
+/// The kind that holds the rotations as a support holds the displacements in the plane. A hub stays one.
 SupportKind kind_in_plane(const Support& support) {
+  if (support.kind == SupportKind::hub) return SupportKind::hub;
   switch (support.held_in_plane()) {
     case InPlane::fixed:
       return SupportKind::clamped;
@@ -16,7 +16,7 @@ SupportKind kind_in_plane(const Support& support) {
     case InPlane::free:
       break;
   }
-  return support.kind == SupportKind::hub ? SupportKind::hub : SupportKind::free;
+  return SupportKind::free;
 }
 
 }  // namespace

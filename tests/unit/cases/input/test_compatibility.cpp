@@ -84,6 +84,11 @@ std::vector<Sample> samples() {
       {local_preconditioner, {{"analysis.preconditioner", "local"}, {"discretization.formulation", "ordinary"}}},
       {layers,
        {{"support", "[{ kind = 'clamped_layer', edges = ['left'] }]"}, {"discretization.formulation", "ordinary"}}},
+      {hubs,
+       {{"support", "[{ kind = 'clamped', edges = ['left'] }, { kind = 'hub', on = { circle = [0.6, 0.6, 0.2] } }]"}}},
+      {hubs_on_springs,
+       {{"support",
+         "[{ kind = 'clamped', edges = ['left'] }, { kind = 'hub', on = { circle = [0.6, 0.6, 0.2] }, k_w = 1 }]"}}},
       {nodes_on_edges, {{"discretization.boundary", "surface_nodes"}, {"discretization.formulation", "ordinary"}}},
       {processes, {}},
   };
