@@ -435,7 +435,8 @@ std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, 
     }
     const auto lost = named(srif, h, scale, [&](std::size_t k, double) { return !srif.resolved[k]; });
     const auto doubtful = named(srif, h, scale, [&](std::size_t k, double share) {
-      // what was asked for counts against the largest of all tips and times
+      // what was asked for counts against the largest of all tips, times and kinds of load
+      if (srif.accuracy_reached && *srif.accuracy_reached <= uncertain) return false;
       return srif.resolved[k] && share > std::max(uncertain, srif.accuracy_reached.value_or(0) * (1 + 1e-9));
     });
     if (!lost.empty()) warnings.push_back(fmt::format("{}: {} unresolved; {}", place, lost, remedy));

@@ -94,12 +94,12 @@ void widen(Srif& srif, double error, double thickness) {
 void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness) {
   const double largest = std::max(largest_factor(srif, thickness), largest_factor(other, thickness));
   const double relative = largest > 0 ? difference(srif, other, thickness) / largest : 0;
-  srif.second = {formulation, other.method, other.K1, other.K2, other.K3, relative};
+  srif.second = {formulation, other.method, other.K1, other.K2, other.K3, relative, std::nullopt};
   if (srif.membrane && other.membrane) {
     const auto &N = srif.membrane->N, &others = other.membrane->N;
     const double most = std::max({std::abs(N[0]), std::abs(N[1]), std::abs(others[0]), std::abs(others[1])});
     const double apart = std::max(std::abs(N[0] - others[0]), std::abs(N[1] - others[1]));
-    (void)apart, (void)most;
+    srif.second->in_plane = SecondInPlane{others, most > 0 ? apart / most : 0};
     at_least(*srif.membrane, *other.membrane);
   }
   if (largest == 0) return;

@@ -61,6 +61,11 @@ Json json_of(const Srif& srif) {
                                   {"K2", second->K2},
                                   {"K3", second->K3},
                                   {"difference", second->difference}};
+  if (srif.second && srif.second->in_plane) {
+    const auto& [N, difference] = *srif.second->in_plane;
+    auto& entry = json["second_formulation"];
+    entry["N1"] = N[0], entry["N2"] = N[1], entry["difference_in_plane"] = difference;
+  }
   for (const auto& f : srif.fits)
     json["fits"].push_back({{"inner", f.inner}, {"outer", f.outer}, {"K1", f.K1}, {"K2", f.K2}, {"K3", f.K3}});
   if (srif.rings.empty()) {
