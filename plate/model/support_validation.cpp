@@ -290,10 +290,10 @@ std::vector<std::string> warnings_about_held_holes(const Problem& problem) {
           names.push_back(circle->name);
   if (names.empty()) return {};
   const auto more = names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : std::string();
-  return {
-      fmt::format("{}{}: a simple support all round hinders the turn of the rim; for a fixing that turns set "
-                  "kind = \"hub\" and k_phi = 0",
-                  names.front(), more)};
+  return {fmt::format(
+      "{}{}: simply_supported all round hinders the rim's turn; for fixings that turn set kind = \"hub\" and "
+      "k_phi = 0",
+      names.front(), more)};
 }
 
 std::vector<Refusal> errors_in_settlements(const Problem& problem) {

@@ -65,7 +65,7 @@ std::map<plate::Dof, std::vector<std::uint32_t>> holders_by_dof(const plate::Bou
 }
 
 /// Row of an elastic support: that of the hub whose spring it is, `next` where it is of none.
-std::size_t row_of(const plate::ElasticSupport& part, const plate::Boundary& boundary, std::size_t next) {
+std::size_t row_of_support(const plate::ElasticSupport& part, const plate::Boundary& boundary, std::size_t next) {
   const auto found = std::ranges::find_if(boundary.holders, [&](const plate::Holder& holder) {
     return holder.kind == plate::SupportKind::hub && holder.name == part.name;
   });
@@ -145,7 +145,7 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
     result.supports[h] = {force, moment_x, moment_y};
   }
   for (const auto& part : boundary_->elastic_supports.holding()) {
-    const auto row = row_of(*part, *boundary_, result.supports.size());
+    const auto row = row_of_support(*part, *boundary_, result.supports.size());
     result.supports.resize(std::max(result.supports.size(), row + 1));
     result.supports[row] += applied(part->force(state)).sum;
   }
@@ -170,7 +170,8 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   const auto holders = boundary_->holders.size();
   std::vector<std::size_t> rows;  // of the elastic supports
   std::size_t all = holders;
-  for (const auto& part : elastic_supports) rows.push_back(row_of(*part, *boundary_, all)), all += rows.back() == all;
+  for (const auto& part : elastic_supports)
+    rows.push_back(row_of_support(*part, *boundary_, all)), all += rows.back() == all;
   const bool each = all <= most;
   std::vector<plate::State> units(each ? holders : 1, plate::zero_state(points));
   for (const auto& [holder, i, unit] : shares_) plate::at_dof(units[each ? holder : 0], held[i]) += unit.force;
@@ -204,7 +205,8 @@ std::vector<ReactionSummary::Support> supports_of(const plate::Formulation& plat
   std::vector<ReactionSummary::Support> result;
   for (const auto& holder : plate.boundary().holders) result.push_back({holder.name, holder.position});
   for (const auto& part : plate.boundary().elastic_supports.holding())
-    if (row_of(*part, plate.boundary(), result.size()) == result.size()) result.push_back({part->name, part->position});
+    if (row_of_support(*part, plate.boundary(), result.size()) == result.size())
+      result.push_back({part->name, part->position});
   return result;
 }
 
