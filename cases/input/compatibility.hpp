@@ -59,7 +59,7 @@ enum class Part {
 /// Two parts that do not go together, the key that is to change, and the reason, as a message says it.
 struct Exclusion {
   Part one, other;
-  std::string key;  // of settlements "load[].kind", of layers "support[].kind"
+  std::string key;  // of settlements "load[].kind", of layers and hubs "support[].kind" or "support[].k_w"
   std::string reason;
 };
 

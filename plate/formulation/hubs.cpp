@@ -112,9 +112,10 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::C
     const auto* circle = patch ? std::get_if<Circle>(&*patch) : nullptr;
     if (holders[i].kind != SupportKind::hub) continue;
     if (!circle)
-      throw Refused({{Subject::support_edges, holders[i].support,
-                      "bonds have no points on the rim of a hole, which a hub would move: choose formulation = "
-                      "\"galerkin\""}});
+      throw Refused(
+          {{Subject::support_edges, holders[i].support,
+            "bonds have no points on the rim of a hole, which a hub would move: remove what needs bonds, or give "
+            "on = { circle = [x, y, radius] } without the hole"}});
     const double spacing = cloud.units.spacing;
     result.push_back({i, circle->centre, points_within(*circle, cloud.positions, cloud.plate_points, spacing)});
     require_disc(result.back(), holders[i], cloud.positions, spacing);

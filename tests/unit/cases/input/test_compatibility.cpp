@@ -28,6 +28,11 @@ Settings joined(Settings one, const Settings& more) {
   return one;
 }
 
+Settings hub_with(const std::string& more) {
+  const std::string hub = "{ kind = 'hub', on = { circle = [0.6, 0.6, 0.2] }" + more + " }";
+  return {{"support", "[{ kind = 'clamped', edges = ['left'] }, " + hub + "]"}};
+}
+
 std::vector<Sample> samples() {
   const Settings moving{{"analysis.kind", "dynamic"}, {"analysis.duration", "0.5"}, {"section.density", "1"}};
   const Settings grows{{"growth.fracture_energy", "1"}};
@@ -84,11 +89,8 @@ std::vector<Sample> samples() {
       {local_preconditioner, {{"analysis.preconditioner", "local"}, {"discretization.formulation", "ordinary"}}},
       {layers,
        {{"support", "[{ kind = 'clamped_layer', edges = ['left'] }]"}, {"discretization.formulation", "ordinary"}}},
-      {hubs,
-       {{"support", "[{ kind = 'clamped', edges = ['left'] }, { kind = 'hub', on = { circle = [0.6, 0.6, 0.2] } }]"}}},
-      {hubs_on_springs,
-       {{"support",
-         "[{ kind = 'clamped', edges = ['left'] }, { kind = 'hub', on = { circle = [0.6, 0.6, 0.2] }, k_w = 1 }]"}}},
+      {hubs, hub_with("")},
+      {hubs_on_springs, hub_with(", k_w = 1")},
       {nodes_on_edges, {{"discretization.boundary", "surface_nodes"}, {"discretization.formulation", "ordinary"}}},
       {processes, {}},
   };
