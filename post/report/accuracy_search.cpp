@@ -163,7 +163,7 @@ void put_first(std::vector<std::vector<Srif>> refined, std::vector<std::vector<S
 }
 
 /// Factors of one kind on the way: those of bending, or those in the plane.
-struct Kind {
+struct FactorGroup {
   RowsOfStep rows;
   double at_faces;                                           // force per length at the faces of the plate, per factor
   double nominal = 0;                                        // nominal_factor()
@@ -216,7 +216,7 @@ private:
 
   /// Factor of a kind of which a hundredth is the least that errors count against: its own nominal one, or what the
   /// factors of the other kind are at the faces.
-  double nominal_of(const Kind& kind) const {
+  double nominal_of(const FactorGroup& kind) const {
     double result = 0;
     for (const auto& other : kinds_) {
       double most = other.nominal;
@@ -278,7 +278,7 @@ private:
   Progress& progress_;
   Clock::time_point start_ = Clock::now();
   AccuracySummary found_;
-  std::vector<Kind> kinds_;
+  std::vector<FactorGroup> kinds_;
   std::size_t tips_ = 0, vectors_ = 0;
   double thickness_ = 0;
 };
