@@ -25,6 +25,9 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
     {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`, `mean`)"},
+    {motion_in_plane, "motion under loads in the plane"},
+    {stressed_frequencies, "`analysis.kind = \"frequencies\"` under loads in the plane"},
+    {growth_in_plane, "`[growth]` under loads in the plane"},
     {large_deflections, "`analysis.nonlinear`"},
     {large_deflections_in_motion, "`analysis.nonlinear` of a motion"},
     {touching_faces, "`cracks.contact`"},
@@ -249,7 +252,6 @@ const std::vector<Exclusion> excluded_pairs{
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
-    {load_in_plane, processes, "load", by_one_process("loads in the plane cannot be run")},
     {coupled_section, motion, "analysis.kind", coupled_at_rest},
     {coupled_section, frequencies, "analysis.kind", coupled_at_rest},
     {coupled_section, harmonic, "analysis.kind", coupled_at_rest},
@@ -284,6 +286,10 @@ const std::vector<Exclusion> excluded_pairs{
      "axial forces of stiffeners do not bear on deflections yet: remove it, or stiffener[].axial"},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
+    {processes, buckling, "analysis.kind", by_one_process("\"buckling\" cannot be run")},
+    {processes, motion_in_plane, "load", by_one_process("motion under loads in the plane cannot be run")},
+    {processes, stressed_frequencies, "load", by_one_process("frequencies under loads in the plane cannot be found")},
+    {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},
 };
 
 bool is_hub(const plate::Support& support) {
@@ -321,7 +327,11 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(moves && a.damping && a.damping->stiffness > 0, stiffness_damping);
   add(any_load([](const auto& load) { return load.template as<plate::Settlement>() != nullptr; }), settlement);
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
-  add(any_load([](const auto& load) { return load.in_plane(); }), load_in_plane);
+  const bool in_plane = any_load([](const auto& load) { return load.in_plane(); });
+  add(in_plane, load_in_plane);
+  add(in_plane && moves, motion_in_plane);
+  add(in_plane && a.kind == Kind::frequencies, stressed_frequencies);
+  add(in_plane && g, growth_in_plane);
   add(a.nonlinear, large_deflections);
   add(a.nonlinear && moves, large_deflections_in_motion);
   add(content.faces_touch(), touching_faces);

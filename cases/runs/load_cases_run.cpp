@@ -493,7 +493,7 @@ LoadCaseState LoadCases::loaded(std::size_t which) const {
 /// The plate at rest in its plane, with the loads of a load case.
 InPlaneState LoadCases::loaded_in_plane(std::size_t which) const {
   const auto& problem = plate_.problem();
-  InPlaneState result{forces_of_case(*ready_.membrane, which), plate::zero_state(plate_.points())};
+  InPlaneState result{forces_of_case(*ready_.membrane, which), plate::zero_state(ready_.membrane->points())};
   result.acts =
       std::ranges::any_of(plate::loads_of(problem, which), [&](std::size_t k) { return problem.loads[k].in_plane(); });
   result.heat = plate::heat_of(*ready_.membrane, shares_of(problem, which));

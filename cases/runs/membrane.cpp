@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cases/runs/cost_estimate.hpp"
+#include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -55,7 +56,9 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
   if (options) {
-    result.factors = known ? *known : post::srifs(membrane, *options, methods, state, all_rings, &heat, stretch);
+    result.factors =
+        known ? *known
+              : fracture::of_all(membrane, post::srifs(membrane, *options, methods, state, all_rings, &heat, stretch));
     std::vector<double> none, &largest = largest_before ? *largest_before : none;
     if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
     for (const auto& some :

@@ -112,6 +112,11 @@ plate::State OwnedMesh::own(const plate::State& of_plate, std::size_t count) con
 post::Frame OwnedMesh::frame(post::Frame seen) const {
   auto& resultants = seen.resultants;
   post::Frame result{seen.time, seen.step, own(seen.state, points_.size()), {}, {}, std::move(seen.cracks)};
+  if (auto& in_plane = seen.in_plane) {
+    fetch(plate_, in_plane->force);
+    result.in_plane =
+        post::InPlaneFields{in_plane->displacement(Eigen::all, points_), in_plane->force(Eigen::all, points_)};
+  }
   if (resultants.von_mises.size() == 0) return result;
   fetch(plate_, resultants.moments);
   fetch(plate_, resultants.shear);

@@ -104,6 +104,7 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plat
     if (probes_.rows.size() == 1) probes_.columns.emplace_back("u"), probes_.columns.emplace_back("v");
     geometry::Point moved(0, 0);
     for (const auto& share : shares) moved += share.weight * s.in_plane->col(share.point);
+    for (double& component : moved) component = plate::sum_of_all(boundary.map, component);
     probes_.rows.back().emplace_back(moved.x()), probes_.rows.back().emplace_back(moved.y());
   }
 }

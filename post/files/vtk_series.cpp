@@ -35,19 +35,13 @@ std::string cracks(std::size_t frame) {
   return fmt::format("cracks_{:04}.vtp", frame);
 }
 
-/// The pieces, and what each has of its points: as vtu() writes it.
-std::string pvtu(std::size_t frame, int pieces) {
-  constexpr std::array<std::pair<const char*, int>, 11> arrays{{{"w", 1},
-                                                                {"theta", 2},
-                                                                {"damage", 1},
-                                                                {"cut", 1},
-                                                                {"Mxx", 1},
-                                                                {"Myy", 1},
-                                                                {"Mxy", 1},
-                                                                {"Qx", 1},
-                                                                {"Qy", 1},
-                                                                {"von_mises", 1},
-                                                                {"displacement", 3}}};
+/// The pieces, and what each has of its points: as vtu() writes it. `in_plane`: membrane forces too.
+std::string pvtu(std::size_t frame, int pieces, bool in_plane) {
+  std::vector<std::pair<const char*, int>> arrays{{"w", 1},   {"theta", 2},    {"damage", 1}, {"cut", 1},
+                                                  {"Mxx", 1}, {"Myy", 1},      {"Mxy", 1},    {"Qx", 1},
+                                                  {"Qy", 1},  {"von_mises", 1}};
+  if (in_plane) arrays.insert(arrays.end(), {{"Nxx", 1}, {"Nyy", 1}, {"Nxy", 1}});
+  arrays.emplace_back("displacement", 3);
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"{}\">\n"
       "  <PUnstructuredGrid GhostLevel=\"0\">\n    <PPoints>\n"
@@ -203,7 +197,9 @@ void VtkSeries::write(const Frame& frame) {
   times_.push_back(frame.time);
   plate::wait_for_all(*communicator_);
   if (communicator_->rank() > 0) return;
-  if (in_pieces) write_atomically(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size()));
+  if (in_pieces)
+    write_atomically(folder_ / fields_in_pieces(number),
+                     pvtu(number, communicator_->size(), frame.in_plane.has_value()));
   if (frame.cracks) write_atomically(folder_ / cracks(number), vtp(*frame.cracks));
   write_atomically(folder_ / "fields.pvd", pvd(times_, in_pieces ? fields_in_pieces : fields, gone_));
   if (frame.cracks) write_atomically(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));
