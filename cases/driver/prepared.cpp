@@ -13,7 +13,6 @@
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/support_validation.hpp"
-#include "plate/model/support_validation.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
 #include "plate/solve/motion/stretched_motion.hpp"
 #include "plate/solve/validation.hpp"

@@ -306,16 +306,42 @@ std::string_view words_of(Part part) {
   return std::ranges::find(words, part, &std::pair<Part, std::string_view>::first)->second;
 }
 
-std::vector<Part> parts_of(const Case& content, bool distributed) {
-  std::vector<Part> result;
-  const auto add = [&](bool asked, Part part) {
-    if (asked) result.push_back(part);
-  };
+namespace {
+
+/// Parts that are asked for.
+class AskedParts {
+public:
+  void operator()(bool asked, Part part) {
+    if (asked) found_.push_back(part);
+  }
+  std::vector<Part> found() && { return std::move(found_); }
+
+private:
+  std::vector<Part> found_;
+};
+
+void add_growth(const Case& content, AskedParts& add) {
   using Kind = Analysis::Kind;
-  const auto& [a, g] = std::tie(content.analysis, content.growth);
+  const auto& g = *content.growth;
+  const bool moves = content.analysis.kind == Kind::dynamic, rests = content.analysis.kind == Kind::static_;
+  const bool bonds = g.by_bonds(), to_motion = rests && g.unstable == fracture::Growth::Unstable::move;
+  add(true, growth);
+  add(bonds, growth_of_bonds);
+  add(bonds && rests, growth_of_bonds_at_rest);
+  add(!bonds && (moves || to_motion), growth_of_heated_cracks_in_motion);
+  add(g.control != fracture::Growth::Control::load, growth_by_displacement);
+  add(to_motion, growth_from_rest_to_motion);
+  add(g.detached == fracture::Growth::Detached::freeze, frozen_pieces);
+}
+
+}  // namespace
+
+std::vector<Part> parts_of(const Case& content, bool distributed) {
+  AskedParts add;
+  using Kind = Analysis::Kind;
+  const auto& a = content.analysis;
   const auto any_load = [&](const auto& test) { return std::ranges::any_of(content.loads, test); };
-  const bool moves = a.kind == Kind::dynamic, bonds = g && g->by_bonds();
-  const bool to_motion = g && a.kind == Kind::static_ && g->unstable == fracture::Growth::Unstable::move;
+  const bool moves = a.kind == Kind::dynamic, bonds = content.growth && content.growth->by_bonds();
   add(moves, motion);
   add(a.kind == Kind::frequencies, frequencies);
   add(a.kind == Kind::harmonic, harmonic);
@@ -331,7 +357,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(in_plane, load_in_plane);
   add(in_plane && moves, motion_in_plane);
   add(in_plane && a.kind == Kind::frequencies, stressed_frequencies);
-  add(in_plane && g, growth_in_plane);
+  add(in_plane && content.growth, growth_in_plane);
   add(a.nonlinear, large_deflections);
   add(a.nonlinear && moves, large_deflections_in_motion);
   add(content.faces_touch(), touching_faces);
@@ -359,15 +385,8 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
       hubs_on_springs);
   add(content.discretization.boundary != plate::EdgeMethod::images, nodes_on_edges);
   add(distributed, processes);
-  if (!g) return result;
-  add(true, growth);
-  add(bonds, growth_of_bonds);
-  add(bonds && a.kind == Kind::static_, growth_of_bonds_at_rest);
-  add(!bonds && (moves || to_motion), growth_of_heated_cracks_in_motion);
-  add(g->control != fracture::Growth::Control::load, growth_by_displacement);
-  add(to_motion, growth_from_rest_to_motion);
-  add(g->detached == fracture::Growth::Detached::freeze, frozen_pieces);
-  return result;
+  if (content.growth) add_growth(content, add);
+  return std::move(add).found();
 }
 
 namespace {

@@ -16,9 +16,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
-#include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/dynamics.hpp"
-#include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "post/files/result_checks.hpp"
@@ -43,7 +41,7 @@ void look_at_multipliers(double share, const plate::Formulation& plate, std::vec
   warnings.push_back(text);
 }
 
-/// Statics, motion or frequencies of one plate.
+/// Statics or motion of one plate.
 class SinglePlate : public PlateAnalysis {
 public:
   SinglePlate(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints);
@@ -58,7 +56,6 @@ private:
   void tell_energies(const plate::State& state, double in_plane);
   void solve_by_lanczos();
   void solve_dynamic();
-  void solve_frequencies();
   std::function<void(const plate::Instant&)> observer(std::size_t last, post::Progress& progress);
   void save(const plate::MotionCheckpoint& now);
   std::optional<plate::MotionCheckpoint> restored();
@@ -287,37 +284,6 @@ void SinglePlate::solve_dynamic() {
   summary.analysis.stop_reason = "end of the duration";
 }
 
-void SinglePlate::solve_frequencies() {
-  auto& summary = this->summary();
-  const auto [low, high] = geometry::bounding_box(content().outline);
-  post::Progress progress(quiet(), "Lanczos iteration");
-  const double usual = 4 * double(analysis_.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
-  const double shift = plate::shift_of(plate_.section(), (high - low).maxCoeff());
-  const auto inverse = plate_.inverse_of_shifted(shift);
-  const plate::FrequencyOptions options{
-      analysis_.modes, analysis_.tolerance, analysis_.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
-        plate::stop_if_asked("frequencies", plate_.constraints());
-        progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
-      }};
-  summary.analysis.method = "lanczos";
-  summary.analysis.tolerance = analysis_.tolerance;
-  const auto mass = plate_.mass(analysis_.rotary_inertia);
-  if (ready_.membrane) results_.outputs().warn(warnings_about_pressed_faces(*ready_.membrane, analysis_));
-  const auto solution = ready_.membrane ? plate::frequencies_under_load(*ready_.membrane, plate_, mass, options)
-                                        : plate::frequencies(plate_, plate_.constraints(), mass, options);
-  progress.done();
-  stopwatch().lap("solve");
-
-  summary.analysis.iterations = solution.iterations;
-  summary.analysis.residual = 0;
-  for (std::size_t i = 0; i < solution.modes.size(); ++i) {
-    results_.mode(i + 1, solution.modes[i]);
-    summary.analysis.residual = std::max(*summary.analysis.residual, solution.modes[i].residual);
-  }
-  stopwatch().lap("output");
-  summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
-}
-
 SinglePlate::SinglePlate(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints)
     : PlateAnalysis(ready, outputs),
       results_(outputs, plate_, ready.tip_methods),
@@ -338,16 +304,16 @@ void SinglePlate::solve() {
     case Analysis::Kind::dynamic:
       return analysis_.method == Analysis::Method::lanczos ? solve_by_lanczos() : solve_dynamic();
     case Analysis::Kind::frequencies:
-      return solve_frequencies();
     case Analysis::Kind::harmonic:
     case Analysis::Kind::buckling:
-      throw std::logic_error("harmonic_response() and buckling() are other analyses");
+      throw std::logic_error("frequencies(), harmonic_response() and buckling() are other analyses");
   }
 }
 
 std::unique_ptr<PlateAnalysis> analysis_of(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints) {
   const Case& c = outputs.content();
   if (!c.load_cases.empty()) return load_cases(ready, outputs);
+  if (c.analysis.kind == Analysis::Kind::frequencies) return frequencies(ready, outputs);
   if (c.analysis.kind == Analysis::Kind::harmonic) return harmonic_response(ready, outputs);
   if (c.analysis.kind == Analysis::Kind::buckling) return buckling(ready, outputs);
   if (c.moves() && ready.membrane) return stretched_motion(ready, outputs, checkpoints);

@@ -69,6 +69,9 @@ std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Out
 /// where no such plate, or mode, can be had.
 std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found);
 
+/// Frequencies and shapes of a plate, also under its membrane forces.
+std::unique_ptr<PlateAnalysis> frequencies(const ValidatedPlate& ready, Outputs& outputs);
+
 /// Loads in the plane at which a flat plate buckles, and its shapes then.
 std::unique_ptr<PlateAnalysis> buckling(const ValidatedPlate& ready, Outputs& outputs);
 

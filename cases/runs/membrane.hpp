@@ -54,7 +54,7 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
                                 const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
                                 const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
 
-/// What is said of contact of the faces of cracks.
+/// Findings on contact of the faces of cracks.
 struct FacesFound {
   post::ContactSummary summary;
   post::Table faces;                    // contact.csv
@@ -121,7 +121,7 @@ void require_balance(const MembraneResult& result, const std::string& where);
 std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
                                         const plate::Formulation* membrane, const plate::Forces& in_plane,
                                         const plate::Heat& heat);
-/// The same under all loads of the plane.
+/// Estimates it under all loads of the plane.
 std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
                                         const plate::Formulation* membrane = nullptr);
 

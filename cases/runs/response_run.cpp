@@ -5,6 +5,7 @@
 
 #include "cases/runs/analyses.hpp"
 #include "cases/runs/outputs.hpp"
+#include "cases/runs/results.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/inertia.hpp"
@@ -12,7 +13,9 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/motion/harmonic.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -151,10 +154,59 @@ void ResponseRun::finish() {
   outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
 }
 
+/// Frequencies and shapes of a plate, also under its membrane forces.
+class FrequencyRun : public PlateAnalysis {
+public:
+  FrequencyRun(const ValidatedPlate& ready, Outputs& outputs)
+      : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
+
+  void solve() override;
+  void finish() override { results_.finish(); }
+
+private:
+  Results results_;
+};
+
+void FrequencyRun::solve() {
+  const auto& analysis = content().analysis;
+  auto& summary = this->summary();
+  const auto [low, high] = geometry::bounding_box(content().outline);
+  post::Progress progress(quiet(), "Lanczos iteration");
+  const double usual = 4 * double(analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
+  const double shift = plate::shift_of(plate_.section(), (high - low).maxCoeff());
+  const auto inverse = plate_.inverse_of_shifted(shift);
+  const plate::FrequencyOptions options{
+      analysis.modes, analysis.tolerance, analysis.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
+        plate::stop_if_asked("frequencies", plate_.constraints());
+        progress.update(std::min(double(solution) / usual, 0.99), fmt::format("solution {}", solution + 1));
+      }};
+  summary.analysis.method = "lanczos";
+  summary.analysis.tolerance = analysis.tolerance;
+  const auto mass = plate_.mass(analysis.rotary_inertia);
+  if (ready_.membrane) outputs_.warn(warnings_about_pressed_faces(*ready_.membrane, analysis));
+  const auto solution = ready_.membrane ? plate::frequencies_under_load(*ready_.membrane, plate_, mass, options)
+                                        : plate::frequencies(plate_, plate_.constraints(), mass, options);
+  progress.done();
+  stopwatch().lap("solve");
+
+  summary.analysis.iterations = solution.iterations;
+  summary.analysis.residual = 0;
+  for (std::size_t i = 0; i < solution.modes.size(); ++i) {
+    results_.mode(i + 1, solution.modes[i]);
+    summary.analysis.residual = std::max(*summary.analysis.residual, solution.modes[i].residual);
+  }
+  stopwatch().lap("output");
+  summary.analysis.stop_reason = fmt::format("{} modes in {} solutions", solution.modes.size(), solution.solutions);
+}
+
 }  // namespace
 
 std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Outputs& outputs) {
   return std::make_unique<ResponseRun>(ready, outputs);
+}
+
+std::unique_ptr<PlateAnalysis> frequencies(const ValidatedPlate& ready, Outputs& outputs) {
+  return std::make_unique<FrequencyRun>(ready, outputs);
 }
 
 }  // namespace cases

@@ -211,7 +211,7 @@ PointMatrix BondStretching::geometric_stiffness(const State& membrane) const {
   return result;
 }
 
-/// Of elongations less `free` times the length in every family, as force_of_curvature() has them.
+/// Stiffness by elongations less `free` times the length in every family, as force_of_curvature() has them.
 PointMatrix BondStretching::stiffness_of_heat(const Eigen::VectorXd& free) const {
   auto result = between_deflections();
   const auto add = [&](std::uint32_t column, std::uint32_t row, double value) {

@@ -22,7 +22,7 @@ struct Side {
   geometry::Point centre{0, 0};  // circle
   double radius = 0;
   SupportKind kind = SupportKind::free;
-  /// Of the same edge in the plane, or for a plate in its plane across it, where both have the same points.
+  /// Kind of the same edge in the plane, or for a plate in its plane across it, where both have the same points.
   SupportKind other = SupportKind::free;
 
   double inside(const geometry::Point& u) const;            // distance from the side, positive on the plate's side

@@ -230,7 +230,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   for (std::size_t step = begin;; ++step) {
     const bool row = step % options.observe_every == 0 || step == options.steps;
     if (rest && (row || options.changes)) rest->complete();
-    const bool stops = stops_at(constraints, row);
+    const bool stops = stops_at(constraints, row), observed = row || stops;
     if (options.save && (stops || ((row || !constraints.distributed()) && options.due()))) {
       MotionCheckpoint memory{step, state, velocity, {}, {}, {}};
       masses.save(memory), contact_and_damping.save(memory);
@@ -240,7 +240,6 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     const double time = static_cast<double>(step) * dt;
     const Step now{step, time, dt, state, velocity};
     if (options.changes) options.changes->before_force(now);
-    const bool observed = row || stops;
     driven.at(time, dt, step == 0);
     auto held_force = find_forces(internal_force, constraints, driven, now, rest ? &*rest : nullptr,
                                   observed && options.held_forces, force, contact_and_damping);
