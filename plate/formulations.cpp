@@ -35,9 +35,12 @@ Discretised discretise(const Problem& problem, const Communicator& communicator)
   try {
     return resolved.discretization.formulation->discretise(resolved, communicator);
   } catch (const FormulaError& error) {
-    std::size_t number = 0;
-    while (problem.loads[number].formula().text() != error.formula()) ++number;
-    throw Refused({{Subject::load_expression, number, error.what()}});
+    for (std::size_t i = 0;; ++i) {
+      const auto& load = problem.loads[i];
+      if (load.formula().text() == error.formula()) throw Refused({{Subject::load_expression, i, error.what()}});
+      if (const auto* heat = load.as<Temperature>(); heat && heat->mean_formula.text() == error.formula())
+        throw Refused({{Subject::load_mean, i, error.what()}});
+    }
   }
 }
 

@@ -67,7 +67,15 @@ post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis
     ready.solution = std::move(equilibrium), result.rows = {std::move(factors)};
     ready.stopwatch.lap("srif");
   }
-  for (const auto& row : result.rows) post::require_finite(row, "on the way to srif.accuracy");
+  if (const auto& membrane = ready.membrane) {
+    auto [equilibrium, factors] = factors_at_rest(*membrane, ready.membrane_methods, analysis, options,
+                                                  "in the plane on the way to srif.accuracy");
+    result.energy_in_plane = membrane->strain_energy(equilibrium.solution.state);
+    ready.solution_in_plane = std::move(equilibrium), result.rows_in_plane = {std::move(factors)};
+    ready.stopwatch.lap("srif");
+  }
+  for (const auto* rows : {&result.rows, &result.rows_in_plane})
+    for (const auto& row : *rows) post::require_finite(row, "on the way to srif.accuracy");
   return result;
 }
 
@@ -127,7 +135,11 @@ std::unique_ptr<Prepared> to_accuracy(const CaseFile& file, bool quiet) {
   plate->accuracy = found.summary;
   std::optional<std::vector<double>> truncated;
   if (plate->motion) truncated = plate->motion->truncated();
-  plate->factors = post::rows_of(std::move(found), truncated, options, file.content.section.thickness);
+  const auto& section = file.content.section;
+  auto [rows, in_plane] = post::rows_of(std::move(found), truncated, options, section.thickness);
+  for (std::size_t i = 0; i < in_plane.size(); ++i) post::add_membrane(rows[i], in_plane[i], section);
+  plate->factors = std::move(rows);
+  if (!in_plane.empty()) plate->factors_in_plane = std::move(in_plane.front());
   return plate;
 }
 

@@ -53,6 +53,10 @@ plate::Problem moved(plate::Problem problem, const geometry::Tip& tip, double st
 }  // namespace
 
 post::Table energy_check(const plate::Problem& problem, const plate::Analysis& analysis) {
+  if (problem.coupled())
+    throw plate::Refused({{plate::Subject::cracks, 0,
+                           "the energy check is of plates whose bending and stretching are not coupled: leave --energy "
+                           "out"}});
   const auto paths = plate::crack_paths(problem);
   post::Table table{{"tip", "x", "y", "step", "G", "K"}, {}};
   const bool in_plane = plate::loaded_in_plane(problem);

@@ -12,6 +12,8 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/model/membrane.hpp"
+#include "plate/model/support_validation.hpp"
+#include "plate/model/support_validation.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
 #include "plate/solve/motion/stretched_motion.hpp"
 #include "plate/solve/validation.hpp"
@@ -51,7 +53,7 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   const bool may_fly = c.moves() && c.analysis.start == Analysis::Start::undeformed;
   // pins would bear what contact presses
   const bool parted = c.faces_touch() && result.membrane && result.membrane->pieces().size() > 1;
-  if (parted || (result.membrane && plate::loaded_in_plane(c) && !may_fly))
+  if (!may_fly && (parted || (result.membrane && plate::loaded_in_plane(c))))
     for (auto& problem : problems_of(file, plate::loose(*result.membrane))) problems.push_back(std::move(problem));
   check_places(file, plate, problems);
   if (!problems.empty()) throw CaseError(problems);
@@ -60,7 +62,7 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   for (const auto& some : {suits.warnings, plate.warnings(c.srif.has_value()),
                            plate::warnings_about_rotary_inertia(plate, c.analysis.rotary_inertia),
                            c.growth ? fracture::warnings_about_bonds(*c.growth, plate) : std::vector<std::string>(),
-                           plate::warnings_about_mechanisms(plate)})
+                           plate::warnings_about_mechanisms(plate), plate::warnings_about_held_holes(c)})
     warnings.insert(warnings.end(), some.begin(), some.end());
   if (c.analysis.kind == Analysis::Kind::frequencies)  // which have no stress
     std::erase_if(warnings, [](const std::string& line) { return line.starts_with("stress of bonds"); });

@@ -102,7 +102,7 @@ Recording recording(const RunPlan& plan) {
                                  .version = PDPLATE_VERSION,
                                  .velocities = c.moves(),
                                  .goes_on = goes_on,
-                                 .in_plane = of_state && (c.stretches || c.faces_touch() || plate::loaded_in_plane(c))};
+                                 .in_plane = of_state && plate::has_plane(c)};
   auto sink = std::make_unique<post::Folder>(
       post::FolderOptions{options.folder, c.output.vtk, c.output.hdf5, std::move(state), options.communicator},
       std::move(lock));

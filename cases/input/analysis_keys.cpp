@@ -224,8 +224,7 @@ Fields<Analysis> analysis_fields() {
           .in(iterative),
       number<A>("modes", "-", &A::modes, {1, 1000}, "number of frequencies or of buckling loads, from the lowest")
           .in({A::Kind::frequencies, A::Kind::buckling}),
-      boolean<A>("nonlinear", &A::nonlinear,
-                 "large deflections: the middle plane stretches with them (von Karman); formulation = \"galerkin\"")
+      boolean<A>("nonlinear", &A::nonlinear, "large deflections: the middle plane stretches with them (von Karman)")
           .in({A::Kind::static_, A::Kind::dynamic}),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
       choice<A, A::Start>("start", &A::start, starts,

@@ -5,6 +5,7 @@
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "plate/formulations.hpp"
+#include "plate/model/membrane.hpp"
 #include "post/report/accuracy_search.hpp"
 
 namespace cases {
@@ -61,6 +62,8 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
         "section.density",
         fmt::format("is missing, must be a number > 0: {} is the plate's own weight", key_of_load(content, *without)));
   content.stretches = content.analysis.nonlinear;
+  content.joined_with_plane =
+      content.stretches || (content.analysis.kind != Analysis::Kind::static_ && plate::loaded_in_plane(content));
   snap_cracks(content, reading);
   resolve_formulation(states_formulation(root), content, reading);
   resolve_method(content, reading);
@@ -128,6 +131,7 @@ std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem)
                                                           {load_patch, "load[{}].on"},
                                                           {load_line, "load[{}].along"},
                                                           {load_expression, "load[{}].expression"},
+                                                          {load_mean, "load[{}].mean"},
                                                           {settlement, "load[{}].support"},
                                                           {load_table, "load[{}].table"},
                                                           {load_path, "load[{}].path"},

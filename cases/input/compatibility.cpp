@@ -12,7 +12,7 @@ namespace {
 
 using enum Part;
 
-constexpr std::array<std::pair<Part, std::string_view>, 39> words{{
+constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {motion, "`analysis.kind = \"dynamic\"`"},
     {frequencies, "`analysis.kind = \"frequencies\"`"},
     {harmonic, "`analysis.kind = \"harmonic\"`"},
@@ -24,19 +24,23 @@ constexpr std::array<std::pair<Part, std::string_view>, 39> words{{
     {stiffness_damping, "`analysis.damping.stiffness` of a motion"},
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
-    {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`)"},
+    {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`, `mean`)"},
     {motion_in_plane, "motion under loads in the plane"},
     {stressed_frequencies, "`analysis.kind = \"frequencies\"` under loads in the plane"},
     {growth_in_plane, "`[growth]` under loads in the plane"},
     {large_deflections, "`analysis.nonlinear`"},
+    {large_deflections_in_motion, "`analysis.nonlinear` of a motion"},
     {touching_faces, "`cracks.contact`"},
     {buckling, "`analysis.kind = \"buckling\"`"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
     {temperature, "a load of kind `\"temperature\"`"},
+    {mean_temperature, "`mean` of a load of kind `\"temperature\"`"},
     {load_cases, "`[[case]]`"},
     {combinations, "`[[combination]]`"},
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
+    {coupled_section, "plies that are not symmetric, or a stiffener with `eccentricity`"},
+    {axial_stiffener, "`stiffener.axial`"},
     {factors_to_accuracy, "`srif.accuracy`"},
     {richardson, "`srif.richardson`"},
     {second_formulation, "`srif.second_formulation`"},
@@ -50,12 +54,14 @@ constexpr std::array<std::pair<Part, std::string_view>, 39> words{{
     {frozen_pieces, "`growth.fallen = \"freeze\"`"},
     {local_preconditioner, "`analysis.preconditioner = \"local\"`"},
     {layers, "supports in layers outside the plate"},
+    {hubs, "supports of kind `\"hub\"`"},
+    {hubs_on_springs, "hubs with `k_w`"},
     {nodes_on_edges, "`discretization.boundary` other than `\"images\"`"},
     {processes, "several processes (`pdplate_distributed`)"},
-}};
+});
 
 /// Words for what a formulation may lack.
-constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
+constexpr auto features = std::to_array<std::pair<plate::Feature, std::string_view>>({
     {plate::Feature::horizon, "families within a horizon"},
     {plate::Feature::influence, "`discretization.influence`"},
     {plate::Feature::volume_correction, "`discretization.volume_correction`"},
@@ -78,9 +84,11 @@ constexpr std::array<std::pair<plate::Feature, std::string_view>, 23> features{{
     {plate::Feature::stiffeners, "`[[stiffener]]`"},
     {plate::Feature::in_plane, "loads in the plane"},
     {plate::Feature::stretching,
-     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion, growth and frequencies under loads in the plane"},
+     "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
-}};
+    {plate::Feature::hubs_in_holes, "supports of kind `\"hub\"` in holes"},
+    {plate::Feature::growth_in_plane, "`[growth]` under loads in the plane"},
+});
 
 std::string by_one_process(const char* what) {
   return fmt::format("{} yet by several processes: run it by one (pdplate)", what);
@@ -90,9 +98,18 @@ constexpr const char* own_estimates = "estimates the error itself: remove srif.r
 constexpr const char* equilibria =
     "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
-constexpr const char* of_bending = "compares factors of bending, not N1 and N2 of loads in the plane: remove it";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
+constexpr const char* coupled_at_rest =
+    "bending and stretching that are coupled are found at rest only yet: choose \"static\", make plies symmetric, or "
+    "remove stiffener[].eccentricity";
+constexpr const char* axial_at_rest =
+    "the axial stiffness of stiffeners acts at rest only yet: choose \"static\", or remove stiffener[].axial";
+constexpr const char* of_uncoupled =
+    "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
+constexpr const char* hub_springs = "support[].k_w";
+constexpr const char* hub_inertia =
+    "the mass of a hub that moves along w is not carried in motion yet: remove k_w (its centre rests)";
 
 const std::vector<Exclusion> excluded_pairs{
     {lanczos, impact, "analysis.method",
@@ -177,6 +194,12 @@ const std::vector<Exclusion> excluded_pairs{
     {processes, local_preconditioner, "analysis.preconditioner", by_one_process("\"local\" cannot be made")},
     {processes, nodes_on_edges, "discretization.boundary", by_one_process("only \"images\" can be run")},
     {processes, layers, layer_kinds, by_one_process("layers cannot be run")},
+    {processes, hubs, layer_kinds,
+     "\"hub\" ties points that different processes would own: run it by one (pdplate), or choose \"clamped\""},
+    {hubs, nodes_on_edges, "discretization.boundary",
+     "nodes at edges have no points that move as one body: choose \"images\""},
+    {hubs_on_springs, motion, hub_springs, hub_inertia},
+    {hubs_on_springs, frequencies, hub_springs, hub_inertia},
     {processes, second_formulation, "srif.second_formulation", by_one_process("a second formulation cannot be run")},
     {processes, factors_to_accuracy, "srif.accuracy", by_one_process("spacings cannot be sought")},
     {load_in_plane, harmonic, "analysis.kind",
@@ -190,8 +213,9 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, growth_of_heated_cracks_in_motion, "growth",
      "growth in motion takes no account of loads in the plane: let cracks grow at rest, with unstable = \"stop\" or "
      "\"jump\""},
-    {load_in_plane, factors_to_accuracy, "srif.accuracy", of_bending},
-    {load_in_plane, second_formulation, "srif.second_formulation", of_bending},
+    {large_deflections_in_motion, mean_temperature, "analysis.nonlinear",
+     "heat in the plane is carried with large deflections at rest, not in motion yet: choose kind = \"static\", or "
+     "remove it"},
     {large_deflections, settlement, settlements,
      "\"settlement\" given: supports that move are not carried with large deflections yet: remove it, or nonlinear"},
     {large_deflections, unilateral_foundation, "foundation",
@@ -209,12 +233,16 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},
     {large_deflections, processes, "analysis.nonlinear", by_one_process("large deflections cannot be found")},
-    {touching_faces, large_deflections, "cracks.contact",
-     "contact is found for small deflections: remove it, or analysis.nonlinear"},
+    {touching_faces, lanczos, "analysis.method",
+     "\"lanczos\" needs a linear plate, and faces of cracks that open and close make it nonlinear; choose "
+     "\"central_difference\""},
+    {touching_faces, stiffness_damping, "analysis.damping",
+     "the stiffness changes where faces of cracks meet, and so would damping by it: give mass alone"},
+    {touching_faces, growth_of_heated_cracks_in_motion, "cracks.contact",
+     "growth in motion takes no account of faces that touch: remove it, or let cracks grow at rest, with unstable = "
+     "\"stop\" or \"jump\""},
     {touching_faces, unilateral_foundation, "cracks.contact",
      "contact of faces and of soil are not found together yet: remove it, or lifts_off"},
-    {touching_faces, load_cases, "cracks.contact",
-     "other faces touch in each load case, so that load cases do not add up: run each load case by itself"},
     {touching_faces, factors_to_accuracy, "srif.accuracy",
      "goes by error estimates that were measured with open faces: remove it, and state discretization.spacing"},
     {touching_faces, richardson, "srif.richardson", "compares factors of open faces: remove it, or cracks.contact"},
@@ -224,11 +252,49 @@ const std::vector<Exclusion> excluded_pairs{
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
+    {coupled_section, motion, "analysis.kind", coupled_at_rest},
+    {coupled_section, frequencies, "analysis.kind", coupled_at_rest},
+    {coupled_section, harmonic, "analysis.kind", coupled_at_rest},
+    {coupled_section, buckling, "analysis.kind", coupled_at_rest},
+    {coupled_section, large_deflections, "analysis.nonlinear",
+     "plates whose bending and stretching are coupled are linear yet: remove it, make plies symmetric, or remove "
+     "stiffener[].eccentricity"},
+    {coupled_section, touching_faces, "cracks.contact",
+     "contact is found where only faces that touch couple bending and stretching: remove it, or "
+     "stiffener[].eccentricity"},
+    {coupled_section, unilateral_foundation, "foundation",
+     "soil that lifts off is not found beside coupled bending and stretching yet: remove lifts_off, make plies "
+     "symmetric, or remove stiffener[].eccentricity"},
+    {coupled_section, settlement, settlements,
+     "\"settlement\" given: supports that move are not carried beside coupled bending and stretching yet: remove it, "
+     "make plies symmetric, or remove stiffener[].eccentricity"},
+    {coupled_section, temperature, "load",
+     "heat would stretch a section whose bending and stretching are coupled, which is not carried yet: remove it, make "
+     "plies symmetric, or remove stiffener[].eccentricity"},
+    {coupled_section, growth, "growth",
+     "cracks grow by factors of bending and tension that do not act on each other: remove it, or "
+     "stiffener[].eccentricity"},
+    {coupled_section, factors_to_accuracy, "srif.accuracy", of_uncoupled},
+    {coupled_section, richardson, "srif.richardson", of_uncoupled},
+    {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
+    {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
+    {axial_stiffener, motion, "analysis.kind", axial_at_rest},
+    {axial_stiffener, frequencies, "analysis.kind", axial_at_rest},
+    {axial_stiffener, harmonic, "analysis.kind", axial_at_rest},
+    {axial_stiffener, buckling, "analysis.kind", axial_at_rest},
+    {axial_stiffener, large_deflections, "analysis.nonlinear",
+     "axial forces of stiffeners do not bear on deflections yet: remove it, or stiffener[].axial"},
+    {axial_stiffener, growth, "growth",
+     "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
     {processes, buckling, "analysis.kind", by_one_process("\"buckling\" cannot be run")},
     {processes, motion_in_plane, "load", by_one_process("motion under loads in the plane cannot be run")},
     {processes, stressed_frequencies, "load", by_one_process("frequencies under loads in the plane cannot be found")},
     {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},
 };
+
+bool is_hub(const plate::Support& support) {
+  return support.kind == plate::SupportKind::hub;
+}
 
 }  // namespace
 
@@ -267,14 +333,19 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(in_plane && a.kind == Kind::frequencies, stressed_frequencies);
   add(in_plane && g, growth_in_plane);
   add(a.nonlinear, large_deflections);
+  add(a.nonlinear && moves, large_deflections_in_motion);
   add(content.faces_touch(), touching_faces);
   add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);
   add(any_load([](const auto& load) { return load.template as<plate::Temperature>() != nullptr; }), temperature);
+  add(any_load([](const auto& load) { return load.template as<plate::Temperature>() && load.in_plane(); }),
+      mean_temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
   add(!content.combinations.empty(), combinations);
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
+  add(content.coupled(), coupled_section);
+  add(std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches), axial_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);
     add(srif->richardson, richardson);
@@ -283,6 +354,9 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   }
   add(a.preconditioner == plate::Preconditioning::local, local_preconditioner);
   add(std::ranges::any_of(content.supports, plate::is_layer, &plate::Support::kind), layers);
+  add(std::ranges::any_of(content.supports, is_hub), hubs);
+  add(std::ranges::any_of(content.supports, [](const auto& support) { return support.k_w.has_value(); }),
+      hubs_on_springs);
   add(content.discretization.boundary != plate::EdgeMethod::images, nodes_on_edges);
   add(distributed, processes);
   if (!g) return result;
@@ -304,7 +378,11 @@ std::vector<std::string> keys_of(const Exclusion& exclusion, const Case& content
   for (std::size_t i = 0; exclusion.key == settlements && i < content.loads.size(); ++i)
     if (content.loads[i].as<plate::Settlement>()) result.push_back(key_of_load(content, i) + ".kind");
   for (std::size_t i = 0; exclusion.key == layer_kinds && i < content.supports.size(); ++i)
-    if (plate::is_layer(content.supports[i].kind)) result.push_back(fmt::format("support[{}].kind", i));
+    if (exclusion.one == hubs || exclusion.other == hubs ? is_hub(content.supports[i])
+                                                         : plate::is_layer(content.supports[i].kind))
+      result.push_back(fmt::format("support[{}].kind", i));
+  for (std::size_t i = 0; exclusion.key == hub_springs && i < content.supports.size(); ++i)
+    if (content.supports[i].k_w) result.push_back(fmt::format("support[{}].k_w", i));
   return result.empty() ? std::vector{exclusion.key} : result;
 }
 

@@ -28,14 +28,18 @@ enum class Part {
   stressed_frequencies,
   growth_in_plane,
   large_deflections,
+  large_deflections_in_motion,
   touching_faces,
   buckling,
   unilateral_foundation,
   temperature,
+  mean_temperature,
   load_cases,
   combinations,
   varied_section,
   directed_section,
+  coupled_section,
+  axial_stiffener,
   factors_to_accuracy,
   richardson,
   second_formulation,
@@ -49,6 +53,8 @@ enum class Part {
   frozen_pieces,
   local_preconditioner,
   layers,
+  hubs,
+  hubs_on_springs,
   nodes_on_edges,
   processes
 };
@@ -56,7 +62,7 @@ enum class Part {
 /// Two parts that do not go together, the key that is to change, and the reason, as a message says it.
 struct Exclusion {
   Part one, other;
-  std::string key;  // of settlements "load[].kind", of layers "support[].kind"
+  std::string key;  // of settlements "load[].kind", of layers and hubs "support[].kind" or "support[].k_w"
   std::string reason;
 };
 

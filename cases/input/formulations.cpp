@@ -39,6 +39,13 @@ void add_layers(const std::vector<plate::Support>& supports, std::vector<Asked>&
                        "choose \"clamped\", \"simply_supported\" or \"simply_supported_hard\""});
 }
 
+void add_hubs(const std::vector<plate::Support>& supports, std::vector<Asked>& found) {
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    if (supports[i].kind == plate::SupportKind::hub && !supports[i].edges.empty())
+      found.push_back({"a hub in a hole", fmt::format("support[{}].edges", i), Feature::hubs_in_holes, true,
+                       "choose formulation = \"galerkin\", or give on = { circle = [x, y, radius] } without the hole"});
+}
+
 void add_analysis(const Analysis& analysis, std::vector<Asked>& found) {
   using enum plate::Preconditioning;
   const auto wanted = analysis.preconditioner;
@@ -67,7 +74,7 @@ void add_growth(const Case& content, std::vector<Asked>& found) {
 
 void add_stretching(const Case& content, std::vector<Asked>& found) {
   const auto add = [&](const char* words, const char* key) {
-    found.push_back({words, key, Feature::stretching, true, "choose formulation = \"galerkin\""});
+    found.push_back({words, key, Feature::stretching, true, "choose that or formulation = \"galerkin\""});
   };
   if (content.analysis.nonlinear) add("large deflections", "analysis.nonlinear");
   if (content.faces_touch())
@@ -78,7 +85,9 @@ void add_stretching(const Case& content, std::vector<Asked>& found) {
   if (content.analysis.kind == Analysis::Kind::frequencies)
     add("frequencies under loads in the plane", "analysis.kind");
   if (content.moves()) add("motion under loads in the plane", "analysis.kind");
-  if (content.growth && !content.growth->by_bonds()) add("growth under loads in the plane", "growth");
+  if (content.growth && !content.growth->by_bonds())
+    found.push_back({"growth under loads in the plane", "growth", Feature::growth_in_plane, true,
+                     "choose formulation = \"galerkin\""});
 }
 
 void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {
@@ -113,6 +122,7 @@ std::vector<Asked> asked(const Case& content, const Reading& reading) {
   std::vector<Asked> found;
   add_horizon(content.discretization, reading, found);
   add_layers(content.supports, found);
+  add_hubs(content.supports, found);
   add_analysis(content.analysis, found);
   add_growth(content, found);
   add_stretching(content, found);
@@ -169,7 +179,7 @@ void resolve_method(Case& content, const Reading& reading) {
   const auto needs_steps_for = [](const plate::Load& load) {
     return load.as<plate::Settlement>() || load.moves() || load.in_plane();
   };
-  const bool needs_steps = content.impact || content.unilateral() || analysis.nonlinear ||
+  const bool needs_steps = content.impact || content.unilateral() || content.faces_touch() || analysis.nonlinear ||
                            std::ranges::any_of(content.loads, needs_steps_for);
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
   // stiffness damping shortens the stable step a hundred times and more; vectors take none

@@ -55,7 +55,7 @@ const Fields<Case>& case_fields() {
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields(), check_section),
       table<Case, plate::Problem>("geometry", Layout::block, plate_of, geometry_fields(), name_holes),
       table<Case, plate::CrackFaces>("cracks", Layout::block, &Case::faces, crack_fields())
-          .used_in({Analysis::Kind::static_}),
+          .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
                                          discretization_fields()),
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),

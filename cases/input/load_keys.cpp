@@ -122,6 +122,9 @@ Fields<plate::Stiffener> stiffener_fields() {
       number<S>("torsion", "force length^2", &S::torsion, {0}, "GJ, against the twist along the beam"),
       number<S>("shear", "force", &S::shear, positive, "k G A; without it the beam does not shear"),
       number<S>("mass", "mass/length", &S::mass, {0}, "of the beam: in motion, frequencies and own weight"),
+      number<S>("axial", "force", &S::axial, {0}, "EA, against the strain along the beam"),
+      number<S>("eccentricity", "length", &S::eccentricity, {},
+                "z of the axis of the beam, which couples bending and stretching; needs axial"),
   };
 }
 
@@ -151,7 +154,8 @@ const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
                                         {"simply_supported_layer", SupportKind::simply_supported_layer},
                                         {"simply_supported_hard_layer", SupportKind::simply_supported_hard_layer},
                                         {"pinned", SupportKind::pinned},
-                                        {"in_plane", SupportKind::in_plane}}};
+                                        {"in_plane", SupportKind::in_plane},
+                                        {"hub", SupportKind::hub}}};
 
 const Words<InPlane> in_plane_words{{{"free", InPlane::free},
                                      {"fixed", InPlane::fixed},
@@ -283,6 +287,27 @@ Field<Load> expression() {
       [](const Load& load) { return load.formula().given() ? quoted(load.formula().text()) : ""; });
 }
 
+/// The mean of a temperature: a number, or an expression in x and y.
+Field<Load> mean() {
+  return value<Load>(
+      {"mean", "temperature", "a number or an expression in x, y and pi", "",
+       "temperature of the middle plane above that without stress; it acts in the plane"},
+      [](const Value& given, Load& load) {
+        auto* heat = load.as<Temperature>();
+        if (!heat) return;
+        if (given.is_text()) {
+          if (const auto formula = formula_of(given)) heat->mean_formula = *formula;
+        } else {
+          heat->mean = given.number().value_or(0);
+        }
+      },
+      [](const Load& load) {
+        const auto* heat = load.as<Temperature>();
+        if (!heat || !load.in_plane()) return std::string();
+        return heat->mean_formula.given() ? quoted(heat->mean_formula.text()) : number_text(heat->mean);
+      });
+}
+
 /// Reads a table of pressures, or says why it cannot be read or is none.
 std::variant<plate::PressureTable, std::string> read_table(const std::filesystem::path& path) {
   constexpr std::size_t most = 256 << 20;  // bytes
@@ -362,6 +387,9 @@ Fields<Support> support_fields() {
                                     using enum SupportKind;
                                     return s.kind == pinned || s.kind == clamped || s.kind == in_plane;
                                   }};
+  const Condition<Support> hub{"kind", "kind = hub", [](const Support& s) { return s.kind == SupportKind::hub; }};
+  const Condition<Support> part{"kind", "kind = pinned, clamped, in_plane or hub",
+                                [inside, hub](const Support& s) { return inside.holds(s) || hub.holds(s); }};
   return {
       choice<Support, SupportKind>("kind", &Support::kind, support_kinds, "how the edge is held; see \"Supports\"")
           .required(),
@@ -372,7 +400,13 @@ Fields<Support> support_fields() {
       table<Support, geometry::Hole>(
           "on", Layout::inline_, &Support::patch,
           hole_fields("the disc of the plate that is held", "the polygon of the plate that is held"), check_hole)
-          .with(inside),
+          .with(part),
+      number<Support>("k_w", "force/length", &Support::k_w, positive,
+                      "stiffness under w of the centre; absent is rigid")
+          .with(hub),
+      number<Support>("k_phi", "force length/rad", &Support::k_phi, {0},
+                      "stiffness against the turn; 0 is free to turn, absent does not turn")
+          .with(hub),
       value<Support>(
           {"in_plane", "-", "one of " + in_plane_words.text(), "free, of kind symmetry normal, of kind in_plane fixed",
            "which displacements are held in the plane: both, or on edges that along the normal or the edge"},
@@ -403,6 +437,7 @@ Fields<Load> amount_fields() {
   return {
       load_kind(),
       expression().with(kind_is<Pressure, Temperature>()),
+      mean().with(kind_is<Temperature>()),
       table_field().with({"kind", "kind = pressure without expression",
                           [](const Load& load) { return is<Pressure>(load) && !load.formula().given(); }}),
       table_digest_field().with(
@@ -417,7 +452,7 @@ Fields<Load> amount_fields() {
              "pressure, edge moment per length, edge shear per length, edge traction N_nn, point force along w, force "
              "per length of a line, temperature of the face z > 0 less that of the other, deflection of a support")
           .with({"kind", "neither body_force, expression, table nor gravity", valued})
-          .standard("required without tensor, vector, expression, table and gravity"),
+          .standard("required without tensor, vector, expression, mean, table and gravity"),
       point("vector", "force/length^2, force", vector_of, "[x, y]", "the force in the plane")
           .with({"kind", "kind = body_force or point_force without path",
                  [](const Load& load) { return is<BodyForce>(load) || (is<PointForce>(load) && !load.moves()); }}),
@@ -514,7 +549,9 @@ void check_load(const Value& given, Load& load) {
   if (has("vector") && !has("value") && vector_of(load) == geometry::Point(0, 0) &&
       reading.sound(given.below("vector")))
     reading.report_error(given.below("vector"), "is zero: nothing acts");
-  const auto amounts = {"value", "tensor", "vector", "expression", "gravity", "table"};
+  if (has("mean") && !has("value") && !has("expression") && !load.in_plane() && reading.sound(given.below("mean")))
+    reading.report_error(given.below("mean"), "is zero: nothing acts");
+  const auto amounts = {"value", "tensor", "vector", "expression", "mean", "gravity", "table"};
   if (!is<BodyForce>(load) && std::ranges::none_of(amounts, has))
     reading.report_error(given.below("value"), "is missing, must be a finite number");
   for (const char* name : {"value", "twist", "shear"})

@@ -236,32 +236,6 @@ void check_region(const Value& given, SectionRegion& region) {
     given.report_error("changes nothing: give thickness, young, poisson or density");
 }
 
-/// Plies of the same material, angle and thickness at the same distance above and below the middle?
-bool symmetric(const std::vector<Ply>& plies) {
-  const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); };
-  for (std::size_t i = 0, j = plies.size(); i < j--; ++i) {
-    const Ply &a = plies[i], &b = plies[j];
-    const double turns = (a.angle - b.angle) / 180;
-    if (!same(a.thickness, b.thickness) || !same(a.E1, b.E1) || !same(a.E2, b.E2) || !same(a.nu12, b.nu12) ||
-        !same(a.G12, b.G12) || !same(a.G13, b.G13) || !same(a.G23, b.G23) ||
-        std::abs(turns - std::round(turns)) > 1e-9 || a.density.value_or(0) != b.density.value_or(0))
-      return false;
-  }
-  return true;
-}
-
-void check_plies(const Value& given, Section& section) {
-  auto& reading = given.reading();
-  const auto key = given.below("plies");
-  section.thickness = 0;
-  for (const auto& ply : section.plies) section.thickness += ply.thickness;
-  if (reading.sound(key) && !symmetric(section.plies))
-    reading.report_error(
-        key,
-        "must be symmetric about the middle: other plates stretch where they bend, and this plate has no "
-        "displacements in its plane");
-}
-
 }  // namespace
 
 Fields<Section> section_fields() {
@@ -299,7 +273,8 @@ Fields<Section> section_fields() {
 
 void check_section(const Value& given, Section& section) {
   auto& reading = given.reading();
-  if (!section.plies.empty()) check_plies(given, section);
+  if (!section.plies.empty()) section.thickness = 0;
+  for (const auto& ply : section.plies) section.thickness += ply.thickness;
   if (section.orthotropic && !section.plies.empty())
     reading.report_error(given.below("orthotropic"),
                          "is given beside plies, which have materials of their own: remove one");

@@ -75,8 +75,8 @@ Fields<SrifOptions> srif_fields() {
           .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("accuracy", "-", &S::accuracy, {1e-5, 0.2},
                 "find the discretisation by which every factor is known to this share of the largest of K1, K2, K3 "
-                "thickness; "
-                "spacings and their growth need not be given, and are not used; formulation = galerkin")
+                "thickness, in the plane of N1, N2; spacings and their growth need not be given, and are not used; "
+                "formulation = galerkin")
           .in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       number<S>("accuracy_seconds", "s", &S::accuracy_seconds, positive,
                 "with accuracy: no finer discretisation is begun that would be expected to end later")

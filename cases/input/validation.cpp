@@ -47,8 +47,12 @@ std::vector<KeyError> errors_in_prestress(const plate::Problem& problem, const A
   std::vector<KeyError> result;
   const bool buckles = analysis.kind == Analysis::Kind::buckling;
   if (!buckles && analysis.kind != Analysis::Kind::frequencies) return result;
+  const auto bends = [](const plate::Load& load) {
+    const auto* heat = load.as<plate::Temperature>();
+    return !load.in_plane() || (heat && (heat->value != 0 || heat->formula.given()));
+  };
   for (std::size_t i = 0; i < problem.loads.size(); ++i)
-    if (!problem.loads[i].in_plane())
+    if (bends(problem.loads[i]))
       result.push_back({key_of_load(problem, i) + ".kind",
                         fmt::format("bends the plate: {} those of a flat plate under loads in its plane, "
                                     "as \"edge_traction\"; remove it",
@@ -174,7 +178,9 @@ std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const An
     report_error(kind.lacks.at(plate::Feature::graded_points) + " (formulation " + formulation_reason +
                  "): remove it or that");
   else if (analysis.kind == Analysis::Kind::dynamic && analysis.method != Analysis::Method::lanczos)
-    report_error("moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety)");
+    report_error(
+        "moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety, loads "
+        "in the plane)");
   using enum post::SrifMethod;
   for (const auto method : {virtual_crack_extension, domain_integral, series_fit})
     if (std::ranges::find(srif->methods, method) == srif->methods.end())
@@ -302,6 +308,10 @@ void check_tips(const plate::Problem& problem, std::vector<KeyError>& found) {
 std::vector<KeyError> errors_in_section(const plate::Problem& problem) {
   std::vector<KeyError> found;
   const auto& section = problem.section;
+  if (section.couples())
+    found.push_back({"srif",
+                     "factors of bending and tension are coupled at tips in plies that are not symmetric, and are not "
+                     "found: make section.plies symmetric, or remove [srif]"});
   if (!section.simple() && !section.uniform()) check_tips(problem, found);
   return found;
 }

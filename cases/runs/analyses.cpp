@@ -54,6 +54,7 @@ public:
 private:
   void solve_static();
   MembraneResult touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted);
+  void check_balance(double strain, double work);
   void tell_energies(const plate::State& state, double in_plane);
   void solve_by_lanczos();
   void solve_dynamic();
@@ -77,11 +78,9 @@ bool moved_as_one_body(const plate::StaticResult& result, const plate::Formulati
 MembraneResult SinglePlate::touch(plate::StaticResult& bending, const MembraneFactorsWanted& wanted) {
   auto found = with_contact(plate_, *ready_.membrane, analysis_, wanted, bending);
   auto& summary = this->summary();
-  summary.contact = found.summary;
   summary.scene.push_back(
       {"factors of contact", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  outputs_.recorder().table("contact", std::move(found.faces));
-  results_.closed(std::move(found.closed));
+  results_.touching(std::move(found.faces));
   return std::move(found.in_plane);
 }
 
@@ -97,16 +96,19 @@ void SinglePlate::solve_static() {
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
   auto result = ready_.solution ? *ready_.solution : plate::static_solution(plate_, analysis_, options);
-  const MembraneFactorsWanted in_plane_wanted{content().srif, ready_.membrane_methods};
+  const MembraneFactorsWanted in_plane_wanted{
+      .options = content().srif,
+      .methods = ready_.membrane_methods,
+      .known = ready_.factors_in_plane.empty() ? nullptr : &ready_.factors_in_plane};
   std::optional<MembraneResult> in_plane;
   if (content().faces_touch())
     in_plane = touch(result, in_plane_wanted);
   else if (ready_.membrane)
-    in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted);
+    in_plane = membrane_at_rest(*ready_.membrane, analysis_, in_plane_wanted,
+                                ready_.solution_in_plane ? &*ready_.solution_in_plane : nullptr);
   const auto& solution = result.solution;
   progress.done();
-  summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get(),
-                                                ready_.membrane ? ready_.membrane->total_load() : plate::no_state());
+  summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get());
   stopwatch().lap("solve");
 
   summary.analysis.preconditioner = result.preconditioner;
@@ -116,6 +118,7 @@ void SinglePlate::solve_static() {
   post::require_finite(solution.state, "in equilibrium", plate_);
   // faces that touch do no work on the whole, but carry some between bending and the plane
   const auto beside = content().faces_touch() ? in_plane->summary : post::MembraneSummary{};
+  const double stored = content().faces_touch() ? in_plane->stored : 0;
   const double work = post::slow_work(plate_, result) + beside.external_work;
   const double strain = plate_.strain_energy(result.what_strains()) + beside.strain_energy;
   plate::Instant end{solution.iterations, 0, solution.state, {}, 0, work, strain, 0, -2 * work};
@@ -136,12 +139,18 @@ void SinglePlate::solve_static() {
   if (!solution.converged)
     throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e} above tolerance {:.1e}", summary.analysis.method,
                                             solution.stop_reason, solution.residual, analysis_.tolerance));
+  check_balance(strain - stored, work - stored);
+  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate_, summary.warnings);
+}
+
+/// Checks the energies of a plate at rest, without those that heat stores.
+void SinglePlate::check_balance(double strain, double work) {
+  if (only_stored(strain, results_.strain_energy() - strain)) return;
   if (plate_.offers(plate::Feature::symmetry))
     post::EnergyBalance(post::EnergyBalance::Plate::rests)
         .check({strain + post::energy_about(plate_), strain, work}, "in equilibrium");
   else
-    look_for_coarseness(strain, work, plate_, summary.warnings);
-  if (summary.multipliers) look_at_multipliers(*summary.multipliers, plate_, summary.warnings);
+    look_for_coarseness(strain, work, plate_, summary().warnings);
 }
 
 /// Energies of a plate at rest; with contact those of its plane are among them.
@@ -343,6 +352,7 @@ std::unique_ptr<PlateAnalysis> analysis_of(const ValidatedPlate& ready, Outputs&
   if (c.analysis.kind == Analysis::Kind::buckling) return buckling(ready, outputs);
   if (c.moves() && ready.membrane) return stretched_motion(ready, outputs, checkpoints);
   if (c.analysis.nonlinear) return large_deflections(ready, outputs);
+  if (c.coupled()) return coupled_plate(ready, outputs);
   return std::make_unique<SinglePlate>(ready, outputs, checkpoints);
 }
 

@@ -27,17 +27,18 @@ struct ValidatedPlate {
   };
   plate::Stopwatch stopwatch;
   std::unique_ptr<plate::Formulation> plate;
-  std::unique_ptr<plate::Formulation>
-      membrane;  // where loads act there, the middle plane stretches, or faces of cracks touch
+  /// Where loads act there, the middle plane stretches, bending and stretching are coupled, or faces of cracks touch.
+  std::unique_ptr<plate::Formulation> membrane;
   std::vector<std::string> warnings;
   std::vector<post::TipMethods> tip_methods, membrane_methods;
   post::OtherFactors other_factors;
   std::optional<Steps> steps;  // of a motion; without a limit where it takes no steps but rows
   plate::BeginOfMotion begin;
   // of a plate that has been solved already:
-  std::optional<plate::StaticResult> solution;
+  std::optional<plate::StaticResult> solution, solution_in_plane;
   std::optional<plate::LanczosMotion> motion;
   std::vector<std::vector<post::Srif>> factors;  // at all times: of each tip what all sizes tend to, then of this plate
+  std::vector<post::Srif> factors_in_plane;      // of a plate at rest: N1 and N2 as K1 and K2, among `factors` too
   std::optional<post::AccuracySummary> accuracy;  // of the search for its discretisation
 };
 
@@ -55,6 +56,9 @@ std::unique_ptr<PlateAnalysis> harmonic_response(const ValidatedPlate& ready, Ou
 
 /// Equilibrium with large deflections (von Karman).
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs);
+
+/// Equilibrium of a plate whose bending and stretching are coupled (plate::Problem::coupled()).
+std::unique_ptr<PlateAnalysis> coupled_plate(const ValidatedPlate& ready, Outputs& outputs);
 
 /// Motion under loads in the plane or with large deflections. `checkpoints`: as run().
 std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Outputs& outputs,

@@ -10,9 +10,12 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/coupled_plate.hpp"
+#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -35,7 +38,8 @@ struct InPlaneState {
   plate::Forces load;
   plate::State state;
   bool acts = false;
-  double residual = 0;  // relative; of a combination at most this
+  double residual = 0;    // relative; of a combination at most this
+  plate::Heat heat = {};  // among the load
 };
 
 /// Loads of a load case or combination, and the state.
@@ -43,9 +47,11 @@ struct LoadCaseState {
   plate::Forces load;
   plate::State lift, state;  // lift: of supports that have moved, without columns where none has
   plate::Heat heat;
-  plate::State strained = plate::no_state();           // plate::StaticResult
-  std::optional<InPlaneState> in_plane = {};           // where loads of any load case act there
-  std::optional<plate::LargeDeflections> curved = {};  // where they were asked for
+  plate::State strained = plate::no_state();              // plate::StaticResult
+  std::optional<InPlaneState> in_plane = {};              // where loads of any load case act there
+  std::optional<plate::LargeDeflections> curved = {};     // where they were asked for
+  std::optional<plate::CoupledEquilibrium> coupled = {};  // of a plate whose bending and stretching are
+  std::optional<plate::TouchingFaces> touching = {};      // where faces of cracks may touch
 
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
 };
@@ -68,6 +74,22 @@ plate::Forces forces_of_case(const plate::Formulation& plate, std::size_t which)
   std::vector<plate::Forces> acting;
   for (const auto k : plate::loads_of(plate.problem(), which)) result += acting.emplace_back(plate.loads()[k].forces);
   if (plate::cancel(plate, acting)) result.setZero();
+  return result;
+}
+
+/// Factors of all loads in a load case.
+std::vector<double> shares_of(const plate::Problem& problem, std::size_t which) {
+  std::vector<double> result(problem.loads.size(), 0);
+  for (const auto k : plate::loads_of(problem, which)) result[k] = 1;
+  return result;
+}
+
+/// Factors of all loads in a combination.
+std::vector<double> shares_of(const plate::Combination& combination, const plate::Problem& problem) {
+  const auto factors = plate::factors_of(combination, problem.load_cases);
+  std::vector<double> result(problem.loads.size(), 0);
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    for (const auto k : plate::loads_of(problem, i)) result[k] += factors[i];
   return result;
 }
 
@@ -104,13 +126,16 @@ public:
 private:
   void solve_stretched();
   void find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now);
+  void find_both(post::LoadCaseSummary& one, LoadCaseState& now);
+  void touch(post::LoadCaseSummary& one, LoadCaseState& now);
+  void record_contact(post::LoadCaseSummary& one, const plate::TouchingFaces& found);
   void look(post::LoadCaseSummary one, const LoadCaseState& now, std::size_t step);
   plate::Instant instant_of(const LoadCaseState& now, std::size_t step) const;
   void react(post::LoadCaseSummary& one, double number, const LoadCaseState& now);
   MembraneResult look_in_plane(const post::LoadCaseSummary& one, const LoadCaseState& known);
   LoadCaseState loaded(std::size_t which) const;
   InPlaneState loaded_in_plane(std::size_t which) const;
-  InPlaneState solved_in_plane(std::size_t which, plate::StaticSolver& solver) const;
+  InPlaneState solved_in_plane(std::size_t which, std::optional<plate::StaticSolver>& solver) const;
   void combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   InPlaneState sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   std::vector<CombinedPart> parts_of(const post::LoadCaseSummary& combined, bool in_plane) const;
@@ -121,12 +146,15 @@ private:
     double deflection = 0;
     plate::State state;
     plate::Forces in_plane = plate::no_state();
+    plate::Heat heat = {};
   };
   Deepest deepest_;
   std::unique_ptr<const plate::StretchedPlate> stretched_;  // with large deflections
+  std::unique_ptr<const plate::CoupledPlate> coupled_;      // where bending and stretching are coupled
+  std::unique_ptr<const plate::ContactOfFaces> contact_;    // where faces of cracks may touch, without them
   std::vector<post::LoadCaseSummary> found_;
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
-  post::Table srifs_{post::srif_columns(), {}}, reactions_;
+  post::Table srifs_{post::srif_columns(), {}}, reactions_, faces_;
   std::vector<std::string> warnings_;
 };
 
@@ -135,6 +163,11 @@ plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step)
   const auto number = double(found_.size() + 1);
   if (const auto& curved = now.curved)
     return {step, number, now.state, {}, 0, curved->external_work, curved->bending_energy + curved->membrane_energy};
+  if (const auto& both = now.coupled) {
+    const double work = post::slow_work(plate_, now.load, now.state) +
+                        post::slow_work(*ready_.membrane, now.in_plane->load, both->membrane);
+    return {step, number, now.state, {}, 0, work, both->strain_energy(), 0, -2 * work};
+  }
   const auto& strained = now.what_strains();
   const double work = post::slow_work(plate_, now.load, now.state) +
                       plate::PrescribedDisplacements(plate_, now.load, now.lift).work(strained);
@@ -143,18 +176,22 @@ plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step)
 
 /// Evaluates and records a state in equilibrium under a load.
 void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std::size_t step) {
-  const auto& [load, lift, state, heat, less, stretched, curved] = known;
+  const auto& [load, lift, state, heat, less, stretched, curved, coupled, touching] = known;
   const auto& strained = known.what_strains();
   const auto when = fmt::format("in {}", one.name);
   post::require_finite(state, when, plate_);
   if (const double w = state.row(0).cwiseAbs().maxCoeff();
-      w > deepest_.deflection && !curved && plate_.offers(plate::Feature::stretching))
-    deepest_ = {w, state, stretched ? stretched->load : plate::no_state()};
+      w > deepest_.deflection && !curved && !coupled && plate_.offers(plate::Feature::stretching))
+    deepest_ = {w, state, stretched ? stretched->load : plate::no_state(), stretched ? stretched->heat : plate::Heat()};
   std::optional<MembraneResult> in_plane;
   if (stretched) in_plane = look_in_plane(one, known), one.membrane = in_plane->summary;
-  const auto now = instant_of(known, step);
+  auto now = instant_of(known, step);
+  if (contact_) {  // it carries energy from the bending into the plane
+    now.strain_energy += in_plane->summary.strain_energy, now.external_work += in_plane->summary.external_work;
+    now.potential = -2 * now.external_work;
+  }
   const double number = now.time, work = now.external_work, strain = now.strain_energy;
-  const double heated = plate::stored(plate_, heat, state);
+  const double heated = plate::stored(plate_, heat, state) + (curved ? in_plane->stored : 0);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain + now.potential;
@@ -164,9 +201,10 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   if (content().srif)
     one.srif =
         fracture::of_all(plate_, post::srifs(plate_, *content().srif, ready_.tip_methods, strained, true, &heat));
+  if (in_plane) post::add_membrane(one.srif, in_plane->factors, plate_.section());
   ready_.other_factors.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (one.superposed()) post::widen_errors(one.srif, parts_of(one, false), plate_.section().thickness);
-  if (in_plane) post::add_membrane(one.srif, in_plane->factors, plate_.section());
+  if (touching) post::close(one.srif, post::closed_tips(*touching, plate_.tips()), plate_.section());
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
   for (const auto& srif : one.srif)
@@ -186,7 +224,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const bool stretches = stretched && stretched->acts;
   if (!rests && !stretches && !post::moves(state, work, plate_))
     post::require_motion(plate_, {plate::PrescribedDisplacements(plate_, load, lift).pull()}, state, work, warnings_);
-  if (curved) return;  // its work is that along the steps
+  if (curved || only_stored(strain, heated)) return;  // the work of the first is that along the steps
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
       .check({strain + post::energy_about(plate_, lift), strain, work}, when);
 }
@@ -194,8 +232,10 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
 /// Adds the reactions to a load.
 void LoadCases::react(post::LoadCaseSummary& one, double number, const LoadCaseState& now) {
   post::ReactionRows reactions;
-  reactions.add(number, plate_, plate_, now.what_strains(),
-                now.curved ? plate::Forces(now.load + now.curved->on_bending) : now.load);
+  plate::Forces load = now.load;
+  if (now.curved) load += now.curved->on_bending;
+  if (now.coupled) load += now.coupled->on_bending;
+  reactions.add(number, plate_, plate_, now.what_strains(), load);
   if (reactions.empty()) return;
   auto table = reactions.table();
   reactions_.columns = table.columns;
@@ -210,19 +250,26 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   const auto where = fmt::format("in the plane, {}", one.name);
   const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
   if (known.curved) {
-    auto result = membrane_results(membrane, *known.curved, now.load, wanted, where);
+    auto result = membrane_results(membrane, *known.curved, now.load, now.heat, wanted, where);
     factors_in_plane_.push_back(result.factors);
     return result;
   }
-  auto result = membrane_results(membrane, now.state, now.load, wanted, where);
+  if (known.coupled) {
+    auto result = membrane_results(plate_, membrane, *known.coupled, {known.load, now.load}, wanted, where);
+    if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
+    factors_in_plane_.push_back(result.factors);
+    return result;
+  }
+  auto result = membrane_results(membrane, now.state, now.load, now.heat, wanted, where);
   if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
   factors_in_plane_.push_back(result.factors);
   result.summary.residual = now.residual;
   std::vector<std::string> warnings;
-  if (const double work = result.summary.external_work; now.acts && !post::moves(now.state, work, membrane))
+  if (const double work = result.summary.external_work - result.stored;
+      now.acts && now.heat.none() && !post::moves(now.state, work, membrane))
     post::require_motion(membrane, {now.load}, now.state, work, warnings);
   for (const auto& text : warnings) warnings_.push_back(fmt::format("load case {}: in the plane, {}", one.name, text));
-  require_balance(result.summary, where);
+  if (!known.touching) require_balance(result, where);
   return result;
 }
 
@@ -267,7 +314,7 @@ std::vector<std::string> LoadCases::warnings() const {
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
     tell(one.name, said);
     if (!ready_.membrane) continue;
-    tell(one.name, warnings_about_overlaps(one.srif, false));
+    if (!one.contact) tell(one.name, warnings_about_overlaps(one.srif, plate_.offers(plate::Feature::touching_faces)));
     const auto in_plane = of_loaded_tips(factors_in_plane_[i], stretched, h);
     auto of_factors = post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy());
     std::ranges::transform(of_factors, of_factors.begin(), of_plane);
@@ -276,11 +323,29 @@ std::vector<std::string> LoadCases::warnings() const {
   return result;
 }
 
-/// Finds the equilibrium with large deflections under the loads of a load case or combination.
+/// Finds the equilibrium of a plate whose bending and stretching are coupled.
+void LoadCases::find_both(post::LoadCaseSummary& one, LoadCaseState& now) {
+  const auto& analysis = content().analysis;
+  auto& about = summary().analysis;
+  auto found = coupled_->equilibrium({now.load, now.in_plane->load}, {analysis.tolerance, analysis.max_iterations, {}});
+  stopwatch().lap("solve");
+  require_equilibrium(plate_, found.of_both, analysis.tolerance, one.name);
+  one.iterations = found.of_both.iterations, one.residual = found.of_both.residual;
+  about.iterations = about.iterations.value_or(0) + found.of_both.iterations;
+  about.residual = std::max(about.residual.value_or(0), *one.residual);
+  now.state = found.bending, now.in_plane->state = found.membrane;
+  now.coupled = std::move(found);
+}
+
+/// Finds the equilibrium with large deflections, or of bending and stretching together, under the loads of a load case
+/// or combination.
 void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now) {
+  if (coupled_) return find_both(one, now);
   auto& summary = this->summary();
   auto& about = summary.analysis;
-  auto found = stretched_->equilibrium({now.load, now.in_plane->load}, {content().analysis.tolerance, {}});
+  const auto& plane = *now.in_plane;
+  auto found = stretched_->equilibrium({now.load, plane.load, plate::stiffness_of_heat(*ready_.membrane, plane.heat)},
+                                       {content().analysis.tolerance, {}});
   stopwatch().lap("solve");
   one.large_deflections = true;
   one.iterations = found.iterations, one.residual = found.steps.empty() ? 0 : found.steps.back().residual;
@@ -294,17 +359,48 @@ void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now)
   if (!found.converged)
     throw plate::NumericalError(fmt::format("{}, large deflections: {}", one.name, found.stop_reason));
   now.state = found.bending, now.in_plane->state = found.membrane;
+  if (content().faces_touch()) record_contact(one, found.touching), now.touching = found.touching;
   now.curved = std::move(found);
 }
 
-/// Solves every load case and combination by itself, as states with large deflections do not add up.
+/// Takes what the summary and contact.csv say of contact.
+void LoadCases::record_contact(post::LoadCaseSummary& one, const plate::TouchingFaces& found) {
+  auto said = faces_found(found, plate_);
+  one.contact = said.summary;
+  faces_.columns = std::move(said.faces.columns), faces_.columns.emplace_back("case");
+  for (auto& row : said.faces.rows) row.emplace_back(one.name), faces_.rows.push_back(std::move(row));
+}
+
+/// Adds to a state without contact what contact changes: states without it add up, those with it do not.
+void LoadCases::touch(post::LoadCaseSummary& one, LoadCaseState& now) {
+  if (!contact_) return;
+  auto& in_plane = now.in_plane->state;
+  auto found = (*contact_)({now.state, in_plane});
+  now.state += found.bending, in_plane += found.membrane;
+  if (now.strained.cols() > 0) now.strained += found.bending;
+  record_contact(one, found);
+  now.touching = std::move(found);
+}
+
+/// Solves every load case and combination by itself, as states with large deflections do not add up, and the factor of
+/// bending and stretching together is there.
 void LoadCases::solve_stretched() {
   const auto& problem = plate_.problem();
   auto& summary = this->summary();
-  summary.analysis.method = "newton", summary.analysis.tolerance = content().analysis.tolerance;
+  summary.analysis.tolerance = content().analysis.tolerance;
   post::Progress progress(quiet(), "load cases");
   const auto all = double(problem.load_cases.size() + problem.combinations.size());
-  stretched_ = std::make_unique<plate::StretchedPlate>(plate_, *ready_.membrane);
+  const auto tell_factor = [&](std::size_t bytes) {
+    summary.scene.push_back({"factor", "", double(bytes) / double(plate_.cloud().plate_points), 0});
+  };
+  if (content().analysis.nonlinear) {
+    summary.analysis.method = "newton";
+    stretched_ = std::make_unique<plate::StretchedPlate>(plate_, *ready_.membrane);
+  } else {
+    summary.analysis.method = "direct", summary.analysis.stop_reason = "residual below tolerance";
+    coupled_ = std::make_unique<plate::CoupledPlate>(plate_, *ready_.membrane);
+    tell_factor(coupled_->factor_bytes());
+  }
   std::vector<LoadCaseState> loads;
   for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
     post::LoadCaseSummary one{problem.load_cases[i].name};
@@ -312,10 +408,9 @@ void LoadCases::solve_stretched() {
     now.state = plate::zero_state(plate_.points()), now.in_plane = loaded_in_plane(i);
     loads.push_back(now);
     find_equilibrium(one, now);
-    if (i == 0)
-      summary.scene.push_back(
-          {"factor", "", double(now.curved->factor_bytes) / double(plate_.cloud().plate_points), 0});
-    look(std::move(one), now, now.curved->iterations);
+    if (i == 0 && stretched_) tell_factor(now.curved->factor_bytes);
+    const auto iterations = one.iterations.value_or(0);
+    look(std::move(one), now, iterations);
     stopwatch().lap("srif");
     progress.update(double(found_.size()) / all, problem.load_cases[i].name);
   }
@@ -325,19 +420,26 @@ void LoadCases::solve_stretched() {
     progress.update(double(found_.size()) / all, one.name);
   }
   progress.done();
-  summary.analysis.stop_reason =
-      fmt::format("residual below tolerance in {} load steps", summary.load_steps.rows.size());
+  if (stretched_)
+    summary.analysis.stop_reason =
+        fmt::format("residual below tolerance in {} load steps", summary.load_steps.rows.size());
 }
 
 void LoadCases::solve() {
-  if (content().analysis.nonlinear) return solve_stretched();
+  if (content().analysis.nonlinear || content().coupled()) return solve_stretched();
   auto& summary = this->summary();
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;
   post::Progress progress(quiet(), "load cases");
   plate::StaticSolver solver(plate_, analysis.static_method(), analysis.preconditioner);
   std::optional<plate::StaticSolver> in_plane;
-  if (ready_.membrane) in_plane.emplace(*ready_.membrane, analysis.static_method(), analysis.preconditioner);
+  if (ready_.membrane && plate::loaded_in_plane(problem))
+    in_plane.emplace(*ready_.membrane, analysis.static_method(), analysis.preconditioner);
+  if (content().faces_touch()) {
+    contact_ = std::make_unique<plate::ContactOfFaces>(plate_, *ready_.membrane);
+    const double bytes = double(contact_->bytes()) / double(plate_.cloud().plate_points);
+    summary.scene.push_back({"factors of contact", "", bytes, 0});
+  }
   std::vector<LoadCaseState> cases;
   plate::StaticSolution all;  // of the summary: the sum of iterations, the largest residual
   all.converged = true;
@@ -358,11 +460,13 @@ void LoadCases::solve() {
       throw plate::NumericalError(fmt::format("{}, {}: {}, residual {:.2e} above tolerance {:.1e}", name, result.method,
                                               solution.stop_reason, solution.residual, analysis.tolerance));
     now.state = std::move(solution.state), now.strained = std::move(result.strained);
-    if (in_plane) now.in_plane = solved_in_plane(i, *in_plane), stopwatch().lap("solve");
-    look({name, {}, solution.iterations, solution.residual}, now, solution.iterations);
+    if (ready_.membrane) now.in_plane = solved_in_plane(i, in_plane), stopwatch().lap("solve");
+    if (!problem.combinations.empty()) cases.push_back(now);
+    post::LoadCaseSummary one{name, {}, solution.iterations, solution.residual};
+    touch(one, now);
+    look(std::move(one), now, solution.iterations);
     stopwatch().lap("srif");
     progress.update(double(i + 1) / double(problem.load_cases.size()), name);
-    if (!problem.combinations.empty()) cases.push_back(std::move(now));
   }
   for (const auto& one : problem.combinations) {
     plate::stop_if_asked("combinations", plate_.constraints());
@@ -370,20 +474,19 @@ void LoadCases::solve() {
     stopwatch().lap("srif");
   }
   if (deepest_.deflection > 0)
-    summary.linear_theory_off = linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane);
+    summary.linear_theory_off =
+        linear_theory_off(plate_, deepest_.state, ready_.membrane.get(), deepest_.in_plane, deepest_.heat);
   stopwatch().lap("solve");
   progress.done();
 }
 
 LoadCaseState LoadCases::loaded(std::size_t which) const {
   LoadCaseState result{forces_of_case(plate_, which), plate::no_state(), {}, {}};
-  std::vector<double> shares(plate_.loads().size(), 0);
   for (const auto k : plate::loads_of(plate_.problem(), which)) {
     const auto& one = plate_.loads()[k];
-    shares[k] = 1;
     if (one.lifts()) result.lift = result.lift.cols() > 0 ? plate::State(result.lift + one.lift) : one.lift;
   }
-  result.heat = plate::heat_of(plate_, shares);
+  result.heat = plate::heat_of(plate_, shares_of(plate_.problem(), which));
   return result;
 }
 
@@ -393,18 +496,19 @@ InPlaneState LoadCases::loaded_in_plane(std::size_t which) const {
   InPlaneState result{forces_of_case(*ready_.membrane, which), plate::zero_state(ready_.membrane->points())};
   result.acts =
       std::ranges::any_of(plate::loads_of(problem, which), [&](std::size_t k) { return problem.loads[k].in_plane(); });
+  result.heat = plate::heat_of(*ready_.membrane, shares_of(problem, which));
   return result;
 }
 
 /// Solves the plate in its plane under the loads of a load case; without any it rests.
-InPlaneState LoadCases::solved_in_plane(std::size_t which, plate::StaticSolver& solver) const {
+InPlaneState LoadCases::solved_in_plane(std::size_t which, std::optional<plate::StaticSolver>& solver) const {
   const auto& membrane = *ready_.membrane;
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;
   auto result = loaded_in_plane(which);
   if (!result.acts) return result;
   auto solution =
-      solver(result.load, {analysis.tolerance, analysis.max_iterations, {}}, which + 1 < problem.load_cases.size())
+      (*solver)(result.load, {analysis.tolerance, analysis.max_iterations, {}}, which + 1 < problem.load_cases.size())
           .solution;
   require_equilibrium(membrane, solution, analysis.tolerance,
                       fmt::format("in the plane, {}", problem.load_cases[which].name));
@@ -416,7 +520,7 @@ InPlaneState LoadCases::solved_in_plane(std::size_t which, plate::StaticSolver& 
 InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   const auto& membrane = *ready_.membrane;
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
-  const InPlaneState rest{plate::zero_forces(membrane.points()), plate::zero_state(membrane.points())};
+  InPlaneState rest{plate::zero_forces(membrane.points()), plate::zero_state(membrane.points())};
   auto sum = rest;
   double largest = 0;  // of the parts
   for (std::size_t i = 0; i < factors.size(); ++i) {
@@ -426,15 +530,17 @@ InPlaneState LoadCases::sum_in_plane(const plate::Combination& combination, cons
     const double size = std::abs(factors[i]) * folded_norm(membrane, part.load, plate::no_state());
     largest = std::max(largest, size), sum.residual += size * part.residual;
   }
+  sum.heat = plate::heat_of(membrane, shares_of(combination, membrane.problem()));
   const double size = folded_norm(membrane, sum.load, plate::no_state());
   if (size > 0) sum.residual /= size;
   if (largest == 0 || size > rounding * largest) return sum;
   warnings_.push_back(fmt::format("combination {}: its loads in the plane cancel", combination.name));
+  rest.heat = sum.heat;  // which the loads may hold
   return rest;
 }
 
 /// `cases`: the load cases; with large deflections their loads alone, whose sum is solved. A combination whose loads
-/// cancel to rounding is the plate at rest.
+/// cancel to rounding is the plate at rest, with what heat stresses it.
 void LoadCases::combine(const plate::Combination& combination, const std::vector<LoadCaseState>& cases) {
   const auto factors = plate::factors_of(combination, plate_.problem().load_cases);
   const auto zero = plate::zero_state(plate_.points());
@@ -456,16 +562,14 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
     sum = {zero, plate::no_state(), zero, {}};
     if (!in_plane || !in_plane->acts)
       warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
-    else if (largest > 0)
+    else if (largest > 0 && !coupled_)
       warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
   sum.in_plane = std::move(in_plane);
-  std::vector<double> shares(plate_.loads().size(), 0);
-  for (std::size_t i = 0; i < factors.size(); ++i)
-    for (const auto k : plate::loads_of(plate_.problem(), i)) shares[k] += factors[i];
-  if (!cancels) sum.heat = plate::heat_of(plate_, shares);
+  sum.heat = plate::heat_of(plate_, shares_of(combination, plate_.problem()));
   post::LoadCaseSummary one{combination.name, combination.of, {}, cancels ? 0 : residual / size};
-  if (stretched_) find_equilibrium(one, sum);
+  if (stretched_ || coupled_) find_equilibrium(one, sum);
+  touch(one, sum);
   const auto iterations = one.iterations.value_or(0);
   look(std::move(one), sum, iterations);
 }
@@ -491,6 +595,7 @@ void LoadCases::finish() {
     recorder.table("reactions", std::move(reactions_));
   }
   if (!summary.load_steps.rows.empty()) recorder.table("load_steps", summary.load_steps);
+  if (!faces_.rows.empty()) recorder.table("contact", std::move(faces_));
   const auto said = warnings();
   summary.load_cases = std::move(found_);
   post::conclude(summary, {.section = section,

@@ -7,11 +7,13 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/crack_contact.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -42,19 +44,21 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 }  // namespace
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
-                                const plate::Forces& load, const MembraneFactorsWanted& wanted,
+                                const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
                                 const std::string& where, const plate::Stretch* stretch) {
-  const auto& [options, methods, all_rings, largest_before] = wanted;
+  const auto& [options, methods, all_rings, largest_before, known] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
   result.forces = membrane.resultants(state);
+  plate::relieve(result.forces, membrane.section(), heat);
   result.fields.displacement.resize(2, points);
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
   if (options) {
     result.factors =
-        fracture::of_all(membrane, post::srifs(membrane, *options, methods, state, all_rings, nullptr, stretch));
+        known ? *known
+              : fracture::of_all(membrane, post::srifs(membrane, *options, methods, state, all_rings, &heat, stretch));
     std::vector<double> none, &largest = largest_before ? *largest_before : none;
     if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
     for (const auto& some :
@@ -64,22 +68,40 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
     post::require_finite(result.factors, where);
   }
   auto& summary = result.summary;
-  summary.strain_energy = membrane.strain_energy(state);
-  summary.external_work = post::slow_work(membrane, load, state);
+  result.stored = plate::stored(membrane, heat, state);
+  summary.strain_energy = membrane.strain_energy(state) + result.stored;
+  summary.external_work = post::slow_work(membrane, load, state) + result.stored;
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
   summary.reactions = reactions_of(membrane, state, load);
   return result;
 }
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
-                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
-                                const std::string& where) {
+                                const plate::Forces& in_plane, const plate::Heat& heat,
+                                const MembraneFactorsWanted& wanted, const std::string& where) {
   auto result =
-      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, wanted, where, &found.stretch);
-  result.forces.moments = result.fields.force = found.membrane_forces;
-  result.summary.strain_energy = found.membrane_energy;
-  result.summary.external_work = found.external_work;
+      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, heat, wanted, where, &found.stretch);
+  result.forces.moments = found.membrane_forces;
+  plate::relieve(result.forces, membrane.section(), heat);
+  result.fields.force = result.forces.moments;
+  result.stored += found.stored_by_deflections;
+  result.summary.strain_energy = found.membrane_energy + result.stored;
+  result.summary.external_work = found.external_work + result.stored;
   result.summary.residual = found.steps.empty() ? 0 : found.steps.back().residual;
+  return result;
+}
+
+MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
+                                const MembraneFactorsWanted& wanted, const std::string& where) {
+  auto result = membrane_results(membrane, found.membrane, loads.in_plane + found.on_membrane, {}, wanted, where);
+  result.summary.strain_energy = found.stretching_energy;
+  result.summary.external_work = post::slow_work(membrane, loads.in_plane, found.membrane);
+  result.summary.residual = found.of_both.residual;
+  if (!plate.section().couples()) return result;
+  result.of_both = plate.resultants(found.bending);
+  plate::couple(*result.of_both, result.forces, plate.section());
+  result.fields.force = result.forces.moments;
   return result;
 }
 
@@ -134,30 +156,51 @@ void look_for_coarseness(double strain, double work, const plate::Formulation& p
   if (apart > told) warnings.push_back(text);
 }
 
-void require_balance(const post::MembraneSummary& summary, const std::string& where) {
+bool only_stored(double strain_energy, double stored) {
+  constexpr double rounding = 1e-12;
+  return strain_energy < rounding * stored;
+}
+
+void require_balance(const MembraneResult& result, const std::string& where) {
+  const double strain = result.summary.strain_energy - result.stored;
+  if (only_stored(strain, result.stored)) return;
   post::EnergyBalance(post::EnergyBalance::Plate::rests)
-      .check({summary.strain_energy, summary.strain_energy, summary.external_work}, "in equilibrium " + where);
+      .check({strain, strain, result.summary.external_work - result.stored}, "in equilibrium " + where);
 }
 
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
-                                const MembraneFactorsWanted& wanted) {
+                                const MembraneFactorsWanted& wanted, const plate::StaticResult* solved) {
   const std::string where = "in the plane";
-  const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
+  const auto found =
+      solved ? *solved : plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
   const auto& solution = found.solution;
   require_equilibrium(membrane, solution, analysis.tolerance, where);
-  auto result = membrane_results(membrane, solution.state, membrane.total_load(), wanted, where);
+  const auto heat = plate::heat_of(membrane, 1);
+  auto result = membrane_results(membrane, solution.state, membrane.total_load(), heat, wanted, where);
   auto& summary = result.summary;
   summary.residual = solution.residual;
-  summary.external_work = post::slow_work(membrane, found);
-  if (!post::moves(solution.state, summary.external_work, membrane))
-    post::require_motion(membrane, post::forces_of(membrane), solution.state, summary.external_work, result.warnings);
+  const double work = post::slow_work(membrane, found);
+  summary.external_work = work + result.stored;
+  if (heat.none() && !post::moves(solution.state, work, membrane))  // a heated plate may be held all round
+    post::require_motion(membrane, post::forces_of(membrane), solution.state, work, result.warnings);
   if (membrane.offers(plate::Feature::symmetry)) {
-    require_balance(summary, where);
+    require_balance(result, where);
     return result;
   }
   std::vector<std::string> coarse;
   look_for_coarseness(summary.strain_energy, summary.external_work, membrane, coarse);
   for (const auto& line : coarse) result.warnings.push_back(of_plane(line));
+  return result;
+}
+
+FacesFound faces_found(const plate::TouchingFaces& found, const plate::Formulation& plate) {
+  FacesFound result{
+      .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
+      .faces = {{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}},
+      .closed = post::closed_tips(found, plate.tips())};
+  for (const auto& at : found.faces)
+    result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_top, at.opening_bottom,
+                                 at.force_top, at.force_bottom});
   return result;
 }
 
@@ -176,15 +219,10 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
   if (bending.strained.cols() > 0) bending.strained += found.bending;
 
   ContactResult result{
-      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), wanted),
-      .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
-      .faces = {{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}},
-      .closed = post::closed_tips(found, plate.tips()),
+      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), plate::heat_of(membrane, 1), wanted),
+      .faces = faces_found(found, plate),
       .factor_bytes = found.factor_bytes};
   result.in_plane.summary.residual = residual;
-  for (const auto& at : found.faces)
-    result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_top, at.opening_bottom,
-                                 at.force_top, at.force_bottom});
   return result;
 }
 
@@ -193,23 +231,46 @@ namespace {
 /// Estimates on a plate of fewer points, which is solved for it.
 double linear_theory_off_by(const plate::Problem& problem, double wider) {
   plate::Problem coarse = problem;
+  coarse.joined_with_plane = true;
   coarse.discretization = widened(problem.discretization, wider);
   const auto [plate, membrane, warnings, stopwatch] = plate::discretise(coarse);
   const auto made = membrane ? nullptr : plate->middle_plane();
   const auto& plane = membrane ? *membrane : *made;
   const auto found = plate::static_solution(*plate, {}, {});
-  return plate::linear_theory_off(*plate, plane, found.solution.state, plane.total_load());
+  return plate::linear_theory_off(*plate, plane, found.solution.state,
+                                  {{}, plane.total_load(), plate::stiffness_of_heat(plane, plate::heat_of(plane, 1))});
+}
+
+/// Estimates with points beyond edges that the plate and its plane share, as those of a linear run do not. `load`: in
+/// the plane.
+double linear_theory_off_joined(const plate::Formulation& plate, const plate::Formulation& plane,
+                                const plate::State& state, plate::Forces load, const plate::Heat& heat) {
+  plate::Problem joined = plate.problem();
+  joined.joined_with_plane = true;
+  const auto [bent, membrane, warnings, stopwatch] = plate::discretise(joined);
+  const auto made = membrane ? nullptr : bent->middle_plane();
+  const auto& pulled = membrane ? *membrane : *made;
+  const auto shared = Eigen::Index(plate.cloud().plate_points);
+  plate::State bending = plate::zero_state(bent->points());
+  bending.leftCols(shared) = state.leftCols(shared);
+  bent->constraints().impose(bending);
+  plane.constraints().fold(load);
+  plate::Forces in_plane = plate::zero_like(bending);
+  in_plane.leftCols(shared) = load.leftCols(shared);
+  return plate::linear_theory_off(*bent, pulled, bending, {{}, in_plane, plate::stiffness_of_heat(pulled, heat)});
 }
 
 }  // namespace
 
 std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
-                                        const plate::Formulation* membrane, const plate::Forces& in_plane) {
+                                        const plate::Formulation* membrane, const plate::Forces& in_plane,
+                                        const plate::Heat& heat) {
   constexpr double small = 0.1, large = 10;    // thicknesses
   constexpr double some = 2500, many = 20000;  // points: a plate of more takes no factor, but fewer points for this
   const auto& problem = plate.problem();
   if (!plate.offers(plate::Feature::stretching) || plate.distributed()) return std::nullopt;
   if (problem.unilateral() || problem.faces_touch() || plate::has_prescribed_displacements(plate)) return std::nullopt;
+  if (problem.coupled() || std::ranges::any_of(problem.stiffeners, &plate::Stiffener::stretches)) return std::nullopt;
   const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
   if (!(share > small && share < large)) return std::nullopt;
   const auto points = double(plate.points());
@@ -218,8 +279,10 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   try {
     if (one_load && points > 2 * some) return linear_theory_off_by(problem, std::sqrt(points / some));
     const auto made = membrane ? nullptr : plate.middle_plane();
-    return plate::linear_theory_off(plate, membrane ? *membrane : *made, state,
-                                    in_plane.cols() > 0 ? in_plane : plate::zero_like(state));
+    const auto& plane = membrane ? *membrane : *made;
+    const plate::Forces load = in_plane.cols() > 0 ? in_plane : plate::zero_state(plane.points());
+    if (plane.points() != plate.points()) return linear_theory_off_joined(plate, plane, state, load, heat);
+    return plate::linear_theory_off(plate, plane, state, {{}, load, plate::stiffness_of_heat(plane, heat)});
   } catch (const plate::Refused&) {
     return std::nullopt;
   } catch (const plate::NumericalError&) {  // parts that move freely in the plane
@@ -227,10 +290,20 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   }
 }
 
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane) {
+  return linear_theory_off(plate, state, membrane, membrane ? membrane->total_load() : plate::no_state(),
+                           membrane ? plate::heat_of(*membrane, 1) : plate::Heat());
+}
+
 void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const plate::Formulation& membrane,
                   const MembraneResult& result) {
-  frame.resultants.von_mises = plate::von_mises(frame.resultants, plate.sections(), result.forces, membrane.sections());
   frame.in_plane = result.fields;
+  if (result.of_both) {
+    frame.resultants = *result.of_both;
+    return;
+  }
+  frame.resultants.von_mises = plate::von_mises(frame.resultants, plate.sections(), result.forces, membrane.sections());
 }
 
 std::string of_plane(std::string warning) {

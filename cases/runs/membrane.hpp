@@ -8,12 +8,16 @@
 
 namespace plate {
 class Formulation;
+struct CoupledEquilibrium;
 struct LargeDeflections;
+struct PlateLoads;
 struct LoadStep;
 struct Stretch;
 struct Analysis;
+struct Heat;
 struct StaticResult;
 struct StaticSolution;
+struct TouchingFaces;
 }  // namespace plate
 
 namespace cases {
@@ -25,6 +29,8 @@ struct MembraneResult {
   std::vector<post::Srif> factors;  // N1 and N2 as K1 and K2
   post::MembraneSummary summary;
   std::vector<std::string> warnings;
+  std::optional<plate::Resultants> of_both = {};  // moments of a section that couples
+  double stored = 0;                              // by heat, in both energies of the summary (plate::stored)
 };
 
 /// Factors that are wanted of a plate in its plane. Without `options` none are.
@@ -32,27 +38,34 @@ struct MembraneFactorsWanted {
   const std::optional<post::SrifOptions>& options;
   const std::vector<post::TipMethods>& methods;
   bool all_rings = true;
-  std::vector<double>* largest = nullptr;  // of a motion: the largest factor of every tip at earlier times
+  std::vector<double>* largest = nullptr;          // of a motion: the largest factor of every tip at earlier times
+  const std::vector<post::Srif>* known = nullptr;  // the factors, where they are known already
 };
 
-/// Solves a plate in its plane under all its loads.
+/// Solves a plate in its plane under all its loads. `solved`: its equilibrium, where that is known already.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite
 MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate::Analysis& analysis,
-                                const MembraneFactorsWanted& wanted);
+                                const MembraneFactorsWanted& wanted, const plate::StaticResult* solved = nullptr);
 
 /// Results of a plate in its plane in a state of equilibrium under a load. `where`: in messages;
-/// `stretch`: of its middle plane by the deflections.
+/// `heat`: among the load; `stretch`: of its middle plane by the deflections.
 /// @throws plate::NumericalError  a number is not finite
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
-                                const plate::Forces& load, const MembraneFactorsWanted& wanted,
+                                const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
                                 const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
+
+/// What is said of contact of the faces of cracks.
+struct FacesFound {
+  post::ContactSummary summary;
+  post::Table faces;                    // contact.csv
+  std::vector<post::ClosedTip> closed;  // of every tip
+};
+FacesFound faces_found(const plate::TouchingFaces& found, const plate::Formulation& plate);
 
 /// Equilibrium of a plate in its plane with contact of the faces of its cracks.
 struct ContactResult {
   MembraneResult in_plane;
-  post::ContactSummary summary;
-  post::Table faces;                    // contact.csv
-  std::vector<post::ClosedTip> closed;  // of every tip
+  FacesFound faces;
   std::size_t factor_bytes = 0;
 };
 
@@ -64,11 +77,17 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
                            plate::StaticResult& bending);
 
 /// Results in the plane of an equilibrium with large deflections, with the strains that the deflections add.
-/// `in_plane`: the load there; `where`: in messages.
+/// `in_plane`: the load there, with `heat`; `where`: in messages.
 /// @throws plate::NumericalError  a number is not finite
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
-                                const plate::Forces& in_plane, const MembraneFactorsWanted& wanted,
-                                const std::string& where);
+                                const plate::Forces& in_plane, const plate::Heat& heat,
+                                const MembraneFactorsWanted& wanted, const std::string& where);
+
+/// Results in the plane of an equilibrium of a plate whose bending and stretching are coupled.
+/// @throws plate::NumericalError  a number is not finite
+MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
+                                const MembraneFactorsWanted& wanted, const std::string& where);
 
 /// The rows of load_steps.csv.
 post::Table load_steps(const std::vector<plate::LoadStep>& steps);
@@ -88,17 +107,23 @@ void require_equilibrium(const plate::Formulation& membrane, const plate::Static
 void look_for_coarseness(double strain, double work, const plate::Formulation& plate,
                          std::vector<std::string>& warnings);
 
-/// Checks the energy of a plate in its plane at rest.
+/// True of a plate that heat does not move but for rounding: held all round, it has the energy that heat stores.
+bool only_stored(double strain_energy, double stored);
+
+/// Checks the energy of a plate in its plane at rest, without what heat stores.
 /// @throws plate::NumericalError  it is not the work of the loads
-void require_balance(const post::MembraneSummary& summary, const std::string& where);
+void require_balance(const MembraneResult& result, const std::string& where);
 
 /// Estimates by what share linear theory overstates the deflections of a plate at rest (plate::linear_theory_off).
-/// `membrane`, `in_plane`: its plane and the load there, where there is one; null and without columns otherwise. Absent
-/// where deflections are small or beyond any estimate, and for plates that have no large deflections. Beyond 5,000
-/// points a plate of 2,500 points is solved for it; with load cases none is found beyond 20,000.
+/// `membrane`, `in_plane`: its plane and the load there, with `heat`, where there is one; null and without columns
+/// otherwise. Absent where deflections are small or beyond any estimate, and for plates that have no large deflections.
+/// Beyond 5,000 points a plate of 2,500 points is solved for it; with load cases none is found beyond 20,000.
 std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
-                                        const plate::Formulation* membrane = nullptr,
-                                        const plate::Forces& in_plane = plate::no_state());
+                                        const plate::Formulation* membrane, const plate::Forces& in_plane,
+                                        const plate::Heat& heat);
+/// The same under all loads of the plane.
+std::optional<double> linear_theory_off(const plate::Formulation& plate, const plate::State& state,
+                                        const plate::Formulation* membrane = nullptr);
 
 /// Adds the fields of a plate in its plane to a frame of its bending; the von Mises stress becomes that of the worse
 /// face under both.

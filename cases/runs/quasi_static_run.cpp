@@ -8,6 +8,7 @@
 #include "fracture/growth/growth.hpp"
 #include "fracture/growth/quasi_static_bonds.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/numerical_method.hpp"
 #include "plate/solve/archive.hpp"
@@ -136,7 +137,8 @@ std::pair<post::Frame, plate::Mesh> QuasiStaticRun::drawn() const {
 std::optional<MembraneResult> QuasiStaticRun::in_plane() const {
   const auto* membrane = tips_ ? tips_->membrane() : nullptr;
   if (!membrane) return std::nullopt;
-  return membrane_results(*membrane, factor_ * tips_->state_in_plane(), factor_ * membrane->total_load(), {{}, {}},
+  return membrane_results(*membrane, factor_ * tips_->state_in_plane(), factor_ * membrane->total_load(),
+                          plate::heat_of(*membrane, factor_), {{}, {}},
                           fmt::format("in the plane at advance {}", advance_));
 }
 

@@ -44,6 +44,11 @@ void Results::in_plane(const plate::Formulation& membrane, MembraneResult result
   outputs_.summary().membrane = in_plane_->summary;
 }
 
+void Results::touching(FacesFound found) {
+  outputs_.summary().contact = found.summary;
+  closed_ = std::move(found.closed), faces_ = std::move(found.faces);
+}
+
 /// Finds the stress by bending and membrane forces together, where the strain energy is larger than before.
 void Results::look_at_stress(const plate::Instant& now, const plate::Heat& heat) {
   auto frame = post::frame_of(plate_, now.time, now.step, now.state, true, &heat);
@@ -53,13 +58,15 @@ void Results::look_at_stress(const plate::Instant& now, const plate::Heat& heat)
 
 void Results::sample(const plate::Instant& now, bool last) {
   const auto heat = plate::heat_at(plate_, now.time);
-  const double heated = plate::stored(plate_, heat, now.state);
+  double heated = plate::stored(plate_, heat, now.state);
+  if (in_plane_ && content().moves()) heated += in_plane_->stored;  // whose energies `now` has without heat
   strain_energy_ = now.strain_energy + heated, external_work_ = now.external_work + heated;
   post::Sample row{now.time, now.step, now.state, strain_energy_, now.kinetic_energy, external_work_, 0};
   post::EnergyBalance::Terms terms{now.strain_energy + now.kinetic_energy + now.dissipated,
                                    now.strain_energy + now.discrete_kinetic_energy + now.dissipated, now.external_work};
   row.discrete_energy = terms.discrete + now.potential;
-  if (content().analysis.damping) row.dissipated_energy = now.dissipated;
+  if (content().analysis.damping || now.faces) row.dissipated_energy = now.dissipated;
+  if (now.faces) row.contact_energy = now.contact_so_far.lost;
   if (now.contact_force) {
     const auto& contact_force = *now.contact_force;
     contact_forces_.rows.push_back({now.time, contact_force.place, contact_force.velocity, contact_force.force,
@@ -180,6 +187,7 @@ std::vector<std::string> doubts_in_plane(const std::vector<post::Srif>& srifs, c
 }  // namespace
 
 void Results::finish() {
+  if (!faces_.rows.empty()) outputs_.recorder().table("contact", std::move(faces_));
   const auto& section = content().section;
   auto& recorder = outputs_.recorder();
   auto& summary = outputs_.summary();
@@ -222,8 +230,7 @@ void Results::finish() {
     outputs_.warn(in_plane_->warnings);
     if (!content().faces_touch()) {
       outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
-      const bool may_touch = content().analysis.kind == plate::Analysis::Kind::static_ &&
-                             !content().analysis.nonlinear && plate_.offers(plate::Feature::touching_faces);
+      const bool may_touch = !content().coupled() && plate_.offers(plate::Feature::touching_faces);
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }
   }

@@ -37,8 +37,8 @@ public:
 
   /// Adds what a plate does in its plane, which must outlive this, to all that follows.
   void in_plane(const plate::Formulation& membrane, MembraneResult result);
-  /// Faces of the plate at which cracks are closed at every tip.
-  void closed(std::vector<post::ClosedTip> tips) { closed_ = std::move(tips); }
+  /// Adds where faces of cracks touch to all that follows.
+  void touching(FacesFound found);
   /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);
   void frame(const plate::Instant& now);
@@ -85,6 +85,7 @@ private:
   const plate::Formulation* membrane_ = nullptr;
   std::optional<MembraneResult> in_plane_;
   std::vector<post::ClosedTip> closed_;  // of every tip, where faces of cracks may touch
+  post::Table faces_;                    // contact.csv
 };
 
 }  // namespace cases

@@ -6,12 +6,14 @@
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/results.hpp"
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/stretched_motion.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
+#include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/terminal.hpp"
 
@@ -36,6 +38,7 @@ private:
   void observe(const plate::Instant& both);
   MembraneResult in_plane(const plate::Instant& both, bool last);
   void conclude(const plate::Instant& both, const plate::Instant& now, bool last);
+  void touch(const plate::Instant& both);
   void save(const plate::MotionCheckpoint& now);
   std::optional<plate::MotionCheckpoint> restored();
 
@@ -44,7 +47,7 @@ private:
   plate::StretchedMotion both_;
   RunCheckpoints* checkpoints_;
   std::vector<double> largest_in_plane_;  // factor of every tip so far
-  double largest_rotation_ = 0;
+  double largest_rotation_ = 0, largest_pressure_ = 0;
 };
 
 /// Options of the motion, but for checkpoints.
@@ -62,6 +65,7 @@ plate::DynamicOptions StretchedMotionRun::options() {
   result.impact = begin.impact;
   if (analysis.damping) result.mass_damping = analysis.damping->mass;
   if (plate::has_prescribed_displacements(plate_)) result.unconstrained_mass = both_.unconstrained_mass();
+  result.faces = both_.faces();
   if (both_.stretching()) result.strain_energy = [&](const plate::State& state) { return both_.strain_energy(state); };
   return result;
 }
@@ -77,12 +81,12 @@ MembraneResult StretchedMotionRun::in_plane(const plate::Instant& both, bool las
   const auto* stretching = both_.stretching();
   std::optional<plate::Stretch> stretch;
   if (stretching) stretch = stretching->stretch(bending), load += stretch->forces;
-  auto result =
-      membrane_results(membrane_, membrane, load, {content().srif, ready_.membrane_methods, last, &largest_in_plane_},
-                       "in the plane", stretch ? &*stretch : nullptr);
+  auto result = membrane_results(membrane_, membrane, load, plate::heat_at(membrane_, both.time),
+                                 {content().srif, ready_.membrane_methods, last, &largest_in_plane_}, "in the plane",
+                                 stretch ? &*stretch : nullptr);
   if (stretching) result.forces.moments = result.fields.force = stretching->membrane_forces(bending, membrane);
-  result.summary.strain_energy = both_.energy_in_plane(both.state);
-  result.summary.external_work = both.external_work;
+  result.summary.strain_energy = both_.energy_in_plane(both.state) + result.stored;
+  result.summary.external_work = both.external_work + result.stored;
   return result;
 }
 
@@ -104,13 +108,16 @@ void StretchedMotionRun::observe(const plate::Instant& both) {
                      .acceleration = [&] { return plate::of_plate(both.acceleration()); },
                      .interrupted = both.interrupted,
                      .dissipated = both.dissipated,
-                     .contact_force = both.contact_force};
+                     .contact_force = both.contact_force,
+                     .faces = both.faces,
+                     .contact_so_far = both.contact_so_far};
   plate::Forces on_bending, on_membrane;
   if (const auto* stretching = both_.stretching()) {
     stretching->internal_force(bending, plate::of_plane(both.state), on_bending, on_membrane);
     now.stretched = &on_bending;
     largest_rotation_ = std::max(largest_rotation_, bending.bottomRows(2).colwise().norm().maxCoeff());
   }
+  if (both.faces) touch(both);
   results_.in_plane(membrane_, in_plane(both, last));
   results_.sample(now, last);
   stopwatch().lap("srif");
@@ -119,18 +126,28 @@ void StretchedMotionRun::observe(const plate::Instant& both) {
   conclude(both, now, last);
 }
 
+/// Takes the contact of crack faces: faces that are closed at tips, the table of this row, and the summary.
+void StretchedMotionRun::touch(const plate::Instant& both) {
+  const auto found = both_.touching(*both.faces);
+  largest_pressure_ = std::max(largest_pressure_, found.largest_force());
+  auto said = faces_found(found, plate_);
+  said.summary = {both.contact_so_far.least_opening, largest_pressure_, found.closed_share()};
+  results_.touching(std::move(said));
+}
+
 /// Sets the energies of the summary. At the end, says where nothing has moved.
 void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Instant& now, bool last) {
   auto& summary = this->summary();
   summary.analysis.steps = now.step;
-  const double stretching = both_.energy_in_plane(both.state);
+  const double stretching = summary.membrane->strain_energy;
   summary.energy = {{"strain", results_.strain_energy()},
                     {"bending", results_.strain_energy() - stretching},
                     {"stretching", stretching},
                     {"kinetic", now.kinetic_energy},
                     {"external_work", results_.external_work()}};
   add_elastic_support_energy(plate_, now.state, summary);
-  if (content().analysis.damping) summary.energy.emplace_back("dissipated", now.dissipated);
+  if (content().analysis.damping || now.faces) summary.energy.emplace_back("dissipated", now.dissipated);
+  if (now.faces) summary.energy.emplace_back("contact", now.contact_so_far.lost);
   const plate::State membrane = plate::of_plane(both.state);
   if (!last || post::moves(now.state, now.external_work, plate_) || post::moves(membrane, now.external_work, membrane_))
     return;
@@ -141,7 +158,7 @@ void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Insta
 
 void StretchedMotionRun::save(const plate::MotionCheckpoint& now) {
   const auto save_state = [&](plate::OutArchive& archive) {
-    archive(now, largest_in_plane_, largest_rotation_);
+    archive(now, largest_in_plane_, largest_rotation_, largest_pressure_);
     results_.save(archive);
   };
   const std::array<plate::State, 4> parts{plate::of_plate(now.state), plate::of_plane(now.state),
@@ -155,7 +172,7 @@ void StretchedMotionRun::save(const plate::MotionCheckpoint& now) {
 std::optional<plate::MotionCheckpoint> StretchedMotionRun::restored() {
   plate::MotionCheckpoint result;
   const bool found = checkpoints_->restore([&](plate::InArchive& archive) {
-    archive(result, largest_in_plane_, largest_rotation_);
+    archive(result, largest_in_plane_, largest_rotation_, largest_pressure_);
     results_.restore(archive);
   });
   if (!found) return std::nullopt;

@@ -6,9 +6,11 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/mechanisms.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"
+#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/files/result_checks.hpp"
@@ -40,7 +42,8 @@ void LargeDeflectionRun::solve() {
                         fmt::format("load factor {:.3g}, iteration {}, residual {:.1e}", factor, iteration, residual));
       }};
   const auto& membrane = *ready_.membrane;
-  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load()};
+  const auto heat = plate::heat_of(membrane, 1);
+  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load(), plate::stiffness_of_heat(membrane, heat)};
   const auto found = plate::StretchedPlate(plate_, membrane).equilibrium(loads, options);
   progress.done();
   stopwatch().lap("solve");
@@ -50,18 +53,22 @@ void LargeDeflectionRun::solve() {
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
   summary.load_steps = load_steps(found.steps);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  const double strain = found.bending_energy + found.membrane_energy;
-  plate::Instant end{found.iterations, 0, found.bending, {}, 0, found.external_work, strain, 0, 0};
+  auto in_plane = membrane_results(membrane, found, loads.in_plane, heat, {content().srif, ready_.membrane_methods},
+                                   "in the plane");
+  const double strain = found.bending_energy + found.membrane_energy + in_plane.stored,
+               work = found.external_work + in_plane.stored;
+  plate::Instant end{found.iterations, 0, found.bending, {}, 0, work, strain, 0, 0};
   end.stretched = &found.on_bending;
-  results_.in_plane(membrane, membrane_results(membrane, found, loads.in_plane,
-                                               {content().srif, ready_.membrane_methods}, "in the plane"));
+  const double stretching = in_plane.summary.strain_energy;
+  results_.in_plane(membrane, std::move(in_plane));
+  if (content().faces_touch()) results_.touching(faces_found(found.touching, plate_));
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);
-  summary.energy = {{"strain", strain},
-                    {"bending", found.bending_energy},
-                    {"stretching", found.membrane_energy},
-                    {"external_work", found.external_work}};
+  summary.energy = {{"strain", results_.strain_energy()},
+                    {"bending", found.bending_energy + (results_.strain_energy() - strain)},
+                    {"stretching", stretching},
+                    {"external_work", results_.external_work()}};
   if (strain == 0)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
   outputs_.warn(warnings_about(found));
@@ -71,6 +78,56 @@ void LargeDeflectionRun::solve() {
 void LargeDeflectionRun::finish() {
   outputs_.recorder().table("load_steps", summary().load_steps);
   results_.finish();
+}
+
+/// Equilibrium of a plate whose bending and stretching are coupled.
+class CoupledRun : public PlateAnalysis {
+public:
+  CoupledRun(const ValidatedPlate& ready, Outputs& outputs)
+      : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
+
+  void solve() override;
+  void finish() override { results_.finish(); }
+
+private:
+  Results results_;
+};
+
+void CoupledRun::solve() {
+  const auto& analysis = content().analysis;
+  auto& summary = this->summary();
+  post::Progress progress(quiet(), "factorisation");
+  const auto& membrane = *ready_.membrane;
+  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load()};
+  const plate::CoupledPlate both(plate_, membrane);
+  const auto found = both.equilibrium(loads, {analysis.tolerance, analysis.max_iterations, {}});
+  progress.done();
+  stopwatch().lap("solve");
+
+  post::describe(summary.analysis, "direct", found.of_both, analysis.tolerance);
+  summary.scene.push_back({"factor", "", double(both.factor_bytes()) / double(plate_.cloud().plate_points), 0});
+  require_equilibrium(plate_, found.of_both, analysis.tolerance, "in equilibrium");
+  const double strain = found.strain_energy(), work = post::slow_work(plate_, loads.across, found.bending) +
+                                                      post::slow_work(membrane, loads.in_plane, found.membrane);
+  plate::Instant end{found.of_both.iterations, 0, found.bending, {}, 0, work, strain, 0, -2 * work};
+  end.stretched = &found.on_bending;
+  results_.in_plane(membrane, membrane_results(plate_, membrane, found, loads,
+                                               {content().srif, ready_.membrane_methods}, "in the plane"));
+  results_.sample(end, true);
+  stopwatch().lap("srif");
+  results_.frame(end);
+  summary.energy = {{"strain", strain},
+                    {"bending", found.bending_energy},
+                    {"stretching", found.stretching_energy},
+                    {"coupling", found.coupling_energy},
+                    {"external_work", work}};
+  // of beams that act in the plane this would be a part only
+  if (std::ranges::none_of(content().stiffeners, &plate::Stiffener::stretches))
+    add_elastic_support_energy(plate_, found.bending, summary);
+  if (strain == 0)
+    post::require_motion(plate_, post::forces_of(plate_), found.bending, work, summary.warnings);
+  else
+    post::EnergyBalance(post::EnergyBalance::Plate::rests).check({strain, strain, work}, "in equilibrium");
 }
 
 /// Factors of the same case with all spacings twice as wide; none where no such plate can be had.
@@ -148,6 +205,10 @@ void BucklingRun::finish() {
 
 std::unique_ptr<PlateAnalysis> large_deflections(const ValidatedPlate& ready, Outputs& outputs) {
   return std::make_unique<LargeDeflectionRun>(ready, outputs);
+}
+
+std::unique_ptr<PlateAnalysis> coupled_plate(const ValidatedPlate& ready, Outputs& outputs) {
+  return std::make_unique<CoupledRun>(ready, outputs);
 }
 
 std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found) {

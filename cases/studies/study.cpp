@@ -36,8 +36,7 @@ std::string lacking_whole(const Case& c, const std::string& name) {
 std::string lacking(const Case& c, const post::Quantity& quantity) {
   if (auto why = lacking_whole(c, quantity.name); !why.empty()) return why;
   const auto& name = quantity.name;
-  if ((name == "N1" || name == "N2" || name == "u" || name == "v") && !c.stretches && !c.faces_touch() &&
-      !plate::loaded_in_plane(c))
+  if ((name == "N1" || name == "N2" || name == "u" || name == "v") && !plate::has_plane(c))
     return "the case has no loads in the plane";
   if (quantity.probe && !c.output.probes.contains(*quantity.probe))
     return fmt::format("the case has no probe \"{}\"", *quantity.probe);

@@ -243,7 +243,9 @@ void GrowingPlate::add_in_plane(Solved& solved, const std::vector<post::ClosedTi
   const auto& membrane = *solved.found.membrane;
   auto& srifs = solved.srifs;
   const auto methods = post::tip_methods(membrane, options_of_factors_);
-  post::add_membrane(srifs, post::srifs(membrane, options_of_factors_, methods, solved.in_plane), problem_.section);
+  const auto heat = plate::heat_of(membrane, 1);
+  post::add_membrane(srifs, post::srifs(membrane, options_of_factors_, methods, solved.in_plane, true, &heat),
+                     problem_.section);
   for (auto& srif : srifs)
     if (!srif.membrane) srif.G.reset();  // bending alone does not tell what the plate releases
   if (closed.empty()) return;
@@ -274,8 +276,11 @@ void GrowingPlate::restore(plate::InArchive& archive) {
 
 double GrowingPlate::heated(double factor) const {
   const Solved& last = latest_ ? *latest_ : seen_;
-  const plate::Formulation& plate = *last.found.plate;
-  return factor * factor * plate::stored(plate, plate::heat_of(plate, 1), last.state);
+  const auto stored = [factor](const plate::Formulation& plate, const plate::State& state) {
+    return factor * factor * plate::stored(plate, plate::heat_of(plate, 1), state);
+  };
+  const auto& [plate, membrane, warnings, stopwatch] = last.found;
+  return stored(*plate, last.state) + (membrane ? stored(*membrane, last.in_plane) : 0);
 }
 
 std::optional<std::vector<post::Srif>> GrowingPlate::factors(double factor) {

@@ -17,6 +17,8 @@ struct PatternBond {
   double D_kj, D_jk;        // weights in the dilatation of either end
   double curvature, shear;  // 2 (A_k B_kj + A_j B_jk), 2 (A_k S_kj + A_j S_jk)
   std::int32_t step;        // neighbour = point + step
+
+  std::uint32_t neighbour(std::uint32_t k) const { return std::uint32_t(std::int64_t(k) + step); }
 };
 
 /// Bonds of all patterns, one pattern after the other.
@@ -88,6 +90,20 @@ private:
   Patterns patterns_;
   ElasticSupports elastic_supports_;
   OperatedPart part_;
+};
+
+/// The bonds of every point of a plate, which must outlive this.
+class PointBonds {
+public:
+  explicit PointBonds(const FamilyOperator& plate) : patterns_(plate.patterns()), pattern_(plate.points()) {
+    for (const auto& run : plate.runs().runs)
+      for (std::uint32_t i = 0; i < run.length; ++i) pattern_[run.first_point + i] = run.pattern;
+  }
+  std::span<const PatternBond> of(std::size_t k) const { return patterns_.of(pattern_[k]); }
+
+private:
+  const Patterns& patterns_;
+  std::vector<std::uint32_t> pattern_;
 };
 
 /// Nodal forces [3 x points] of a free thermal curvature kappa_0 given by points of the plate: minus the derivative of

@@ -14,10 +14,12 @@
 #include "plate/bonds/results.hpp"
 #include "plate/bonds/rows/lattice_operator.hpp"
 #include "plate/bonds/stiffness.hpp"
+#include "plate/bonds/stretching.hpp"
 #include "plate/bonds/supports.hpp"
 #include "plate/bonds/validation.hpp"
 #include "plate/bonds/visibility.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/formulation/hubs.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/layout.hpp"
 #include "plate/formulation/mechanisms.hpp"
@@ -106,6 +108,11 @@ public:
   }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
+  PointMatrix stiffness() const override { return stiffness_matrix(op_, true); }
+  std::unique_ptr<Stretching> stretching() const override {
+    return std::make_unique<BondStretching>(op_, section(), cloud().areas, cloud().plate_points);
+  }
+  std::unique_ptr<Formulation> middle_plane() const override;
   std::unique_ptr<Preconditioner> factor() const override;
   SingleForce single_precision() const override {
     return [rows = op_.single_rows(), elastic_supports = op_.elastic_supports()](const Values<float>& state,
@@ -151,6 +158,7 @@ ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const
     return largest_of(*this, here == diagonal) > 0 ? diagonal : here;
   };
   if (wanted == automatic) wanted = usual();
+  if (wanted == two_level && hubs_move(problem().supports, section().law)) wanted = local;
   if (wanted == diagonal) return {nullptr, "diagonal"};
   if (wanted == local)
     return {std::make_unique<ShortHorizonPreconditioner>(op_, boundary(), section(), discretization()), "local"};
@@ -232,9 +240,16 @@ Forces forces_of(const Load& load, const Problem& problem, const Boundary& bound
                          problem.supports);
 }
 
-/// Adds warnings to `warnings`, and its time to `stopwatch`.
-std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const Communicator& all,
-                                               std::vector<std::string>& warnings, Stopwatch& stopwatch) {
+/// Supports whose points beyond edges a plate has without bonds: those of `other`, the same plate in its plane, or
+/// across it, where states of both stand together.
+std::vector<Support> supports_beside(const Problem& problem, const Problem& other) {
+  return problem.joined_with_plane || problem.stretches ? other.supports : std::vector<Support>{};
+}
+
+/// Adds warnings to `warnings`, and its time to `stopwatch`. `beside`: supports_beside().
+std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const std::vector<Support>& beside,
+                                               const Communicator& all, std::vector<std::string>& warnings,
+                                               Stopwatch& stopwatch) {
   const auto& d = problem.discretization;
   const auto law = problem.section.law;
   auto paths = crack_paths(problem);
@@ -245,7 +260,7 @@ std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const Com
   Layout layout{problem,
                 {},
                 geometry::tips(paths),
-                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}, law),
+                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}, law, beside),
                 {},
                 {}};
   auto& boundary = layout.boundary;
@@ -289,30 +304,41 @@ std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const Com
 
 Discretised discretised(const Problem& problem, const Communicator& all) {
   Discretised result;
-  result.plate = discretised_plate(problem, all, result.warnings, result.stopwatch);
-  if (!loaded_in_plane(problem)) return result;
+  const auto membrane = membrane_of(problem);
+  result.plate = discretised_plate(problem, supports_beside(problem, membrane), all, result.warnings, result.stopwatch);
+  if (!problem.stretches && !loaded_in_plane(problem)) return result;
   std::vector<std::string> more;
-  result.membrane = discretised_plate(membrane_of(problem), all, more, result.stopwatch);
+  result.membrane = discretised_plate(membrane, supports_beside(problem, problem), all, more, result.stopwatch);
   for (auto& line : more)
     if (std::ranges::find(result.warnings, line) == result.warnings.end()) result.warnings.push_back(std::move(line));
   return result;
 }
 
+std::unique_ptr<Formulation> OrdinaryPlate::middle_plane() const {
+  std::vector<std::string> ignored;
+  Stopwatch stopwatch;
+  return discretised_plate(membrane_of(problem()), supports_beside(problem(), problem()), communicator(), ignored,
+                           stopwatch);
+}
+
 }  // namespace
 
-/// The factor of the two-level plate and the iterations with it cost about as much as 600 iterations with the diagonal.
+/// Coarse points of a hub that moves are coupled farther than the two-level plate looks: it has the local one. The
+/// factor of the two-level plate and the iterations with it cost about as much as 600 iterations with the diagonal.
 Preconditioning usual_preconditioner_of_bonds(const Problem& problem, double points) {
   constexpr double worth = 600;
   const bool faster = iterations_with_diagonal(problem) > worth && factor_bytes(points) < free_memory() / 2;
-  return faster ? Preconditioning::two_level : Preconditioning::diagonal;
+  const bool moving = hubs_move(problem.supports, problem.section.law);
+  return !faster ? Preconditioning::diagonal : moving ? Preconditioning::local : Preconditioning::two_level;
 }
 
 const FormulationKind ordinary{
     "ordinary",
     "bonds",
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
-     {Feature::stretching, "bonds carry loads in the plane at rest, and know no stretching of deflected plates"},
      {Feature::touching_faces, "bonds have no points on the faces of cracks"},
+     {Feature::hubs_in_holes, "bonds have no points on the rim of a hole, which a hub would move"},
+     {Feature::growth_in_plane, "growth under loads in the plane was measured of the Galerkin plate alone"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
      {Feature::any_direction, "these supports mirror or extend the lattice, at edges along x or y"},
      {Feature::lanczos, "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass"},

@@ -5,28 +5,6 @@
 namespace plate {
 namespace {
 
-/// The bonds of every point, by its run.
-class Bonds {
-public:
-  explicit Bonds(const FamilyOperator& plate) : plate_(plate), pattern_(plate.points()) {
-    for (const auto& run : plate.runs().runs)
-      for (std::uint32_t i = 0; i < run.length; ++i) pattern_[run.first_point + i] = run.pattern;
-  }
-  const PatternBond* begin(std::size_t k) const { return at(pattern_[k]); }
-  const PatternBond* end(std::size_t k) const { return at(pattern_[k] + 1); }
-
-private:
-  const PatternBond* at(std::size_t pattern) const {
-    return plate_.patterns().bonds.data() + plate_.patterns().first[pattern];
-  }
-  const FamilyOperator& plate_;
-  std::vector<std::uint32_t> pattern_;
-};
-
-std::uint32_t neighbour(std::uint32_t k, const PatternBond& bond) {
-  return std::uint32_t(std::int64_t(k) + bond.step);
-}
-
 Eigen::Vector2d direction(const PatternBond& bond) {
   return {bond.mx, bond.my};
 }
@@ -51,36 +29,36 @@ private:
 };
 
 /// Bending and shear of the bonds of point k.
-void add_bonds(const Bonds& bonds, std::uint32_t k, ColumnBlocks& column) {
-  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
-    const auto j = neighbour(k, *bond);
-    const Eigen::Vector2d m = direction(*bond), half = bond->length / 2 * m;
+void add_bonds(const PointBonds& bonds, std::uint32_t k, ColumnBlocks& column) {
+  for (const auto& bond : bonds.of(k)) {
+    const auto j = bond.neighbour(k);
+    const Eigen::Vector2d m = direction(bond), half = bond.length / 2 * m;
     // shear: w_j - w_k - length / 2 m (theta_j + theta_k); curvature: m (theta_j - theta_k)
     const Eigen::Vector3d own(-1, -half.x(), -half.y()), other(1, -half.x(), -half.y());
     Eigen::Matrix3d bend = Eigen::Matrix3d::Zero();
-    bend.bottomRightCorner<2, 2>() = bond->curvature * m * m.transpose();
-    column.at(k) += bond->shear * own * own.transpose() + bend;
-    if (column.has(j)) column.at(j) += bond->shear * other * own.transpose() - bend;
+    bend.bottomRightCorner<2, 2>() = bond.curvature * m * m.transpose();
+    column.at(k) += bond.shear * own * own.transpose() + bend;
+    if (column.has(j)) column.at(j) += bond.shear * other * own.transpose() - bend;
   }
 }
 
 /// Dilatations of k and of its neighbours p: theta_p = sum D m (theta_j - theta_p).
-void add_dilatations(const FamilyOperator& plate, const Bonds& bonds, std::uint32_t k, ColumnBlocks& column) {
+void add_dilatations(const FamilyOperator& plate, const PointBonds& bonds, std::uint32_t k, ColumnBlocks& column) {
   const auto add = [&](std::uint32_t p, const Eigen::Vector2d& by_k) {
     const Eigen::Vector2d factor = plate.dilatation_stiffness()[p] * by_k;
     Eigen::Vector2d sum(0, 0);
-    for (auto bond = bonds.begin(p); bond < bonds.end(p); ++bond) {
-      const Eigen::Vector2d by_j = bond->D_kj * direction(*bond);
+    for (const auto& bond : bonds.of(p)) {
+      const Eigen::Vector2d by_j = bond.D_kj * direction(bond);
       sum -= by_j;
-      const auto j = neighbour(p, *bond);
+      const auto j = bond.neighbour(p);
       if (column.has(j)) column.at(j).bottomRightCorner<2, 2>() += by_j * factor.transpose();
     }
     if (column.has(p)) column.at(p).bottomRightCorner<2, 2>() += sum * factor.transpose();
   };
   Eigen::Vector2d own(0, 0);
-  for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
-    own -= bond->D_kj * direction(*bond);
-    add(neighbour(k, *bond), -bond->D_jk * direction(*bond));
+  for (const auto& bond : bonds.of(k)) {
+    own -= bond.D_kj * direction(bond);
+    add(bond.neighbour(k), -bond.D_jk * direction(bond));
   }
   add(k, own);
 }
@@ -88,15 +66,15 @@ void add_dilatations(const FamilyOperator& plate, const Bonds& bonds, std::uint3
 }  // namespace
 
 PointMatrix stiffness_matrix(const FamilyOperator& plate, bool with_dilatation, const std::vector<char>& wanted) {
-  const Bonds bonds(plate);
+  const PointBonds bonds(plate);
   const auto is_wanted = [&](std::uint32_t k) { return wanted.empty() || wanted[k]; };
   auto result = zeros(plate.points(), [&](Column& column, std::uint32_t k) {
     if (!is_wanted(k)) return;
-    for (auto bond = bonds.begin(k); bond < bonds.end(k); ++bond) {
-      const auto p = neighbour(k, *bond);
+    for (const auto& bond : bonds.of(k)) {
+      const auto p = bond.neighbour(k);
       column.couple(p);
       if (!with_dilatation) continue;
-      for (auto next = bonds.begin(p); next < bonds.end(p); ++next) column.couple(neighbour(p, *next));
+      for (const auto& next : bonds.of(p)) column.couple(next.neighbour(p));
     }
   });
 #pragma omp parallel

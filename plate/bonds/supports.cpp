@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/hubs.hpp"
 #include "plate/formulation/support_constraints.hpp"
 #include "plate/model/space.hpp"
 
@@ -15,6 +16,11 @@ namespace plate {
 namespace {
 
 using geometry::Point;
+
+bool has_images(SupportKind kind) {
+  using enum SupportKind;
+  return kind == clamped || kind == simply_supported_hard || kind == symmetry;
+}
 
 /// +1 or -1 for w, theta_x, theta_y across an edge with the given normal axis.
 std::array<int, unknowns_per_point> parity(SupportKind kind, int normal_axis) {
@@ -28,6 +34,16 @@ std::array<int, unknowns_per_point> parity(SupportKind kind, int normal_axis) {
     signs[static_cast<std::size_t>(normal_rotation)] = 1;
   }
   return signs;
+}
+
+/// +1 or -1 for w across an edge whose images have no bonds.
+int parity_of_deflection(SupportKind kind) {
+  return kind == SupportKind::free || kind == SupportKind::symmetry ? 1 : -1;
+}
+
+/// True where the plate goes on beyond the side as images, or does so in its plane where that has the same points.
+bool has_points_beyond(const Side& side) {
+  return has_images(side.kind) || has_images(side.other);
 }
 
 /// True where the outline turns left from the end of one edge into the other.
@@ -66,6 +82,7 @@ private:
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), factors[c]}});
   }
   void tie_clamped(std::uint32_t leader, double depth, const Side& side);
+  void tie_without_bonds(std::uint32_t leader, double depth, const Side& side);
   bool within(const Side& side, const Point& u) const;
   void mirror_at_corners();
   void follow(std::uint32_t k, const Side& side);
@@ -98,15 +115,30 @@ void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) 
   for (std::uint32_t c = 1; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), -ratio}});
 }
 
+/// Ties the deflection of a point beyond a line to which the plate has no bonds, but its plane has: odd where the line
+/// is held, else along the rotation of the leader.
+void Builder::tie_without_bonds(std::uint32_t leader, double depth, const Side& side) {
+  const Point& u = b_.lattice[leader];
+  const Point d = spacing_ * (b_.lattice[last()] - u);
+  if (parity_of_deflection(side.kind) > 0)
+    tie(dof(last(), 0), side, {{dof(leader, 0), 1}, {dof(leader, 1), d.y()}, {dof(leader, 2), -d.x()}});
+  else
+    tie(dof(last(), 0), side, {{dof(leader, 0), -depth / side.inside(u)}});
+  for (std::uint32_t c = 1; c < unknowns_per_point; ++c) fix(dof(last(), c), side);
+}
+
 void Builder::mirror_images() {
   for (std::size_t s = 0; s < b_.sides.size(); ++s) {
     const Side& side = b_.sides[s];
-    if (!has_images(side) || !side.along_lattice()) continue;
+    if (!has_points_beyond(side) || !side.along_lattice()) continue;
     const auto signs = parity(side.kind, side.normal_axis());
     for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
       if (!within(side, b_.lattice[k])) continue;
-      add(side.mirrored(b_.lattice[k]), b_.cloud.areas[k], {{static_cast<int>(s), -1}, false, true});
-      if (side.kind == SupportKind::clamped)
+      const bool bonded = has_images(side);
+      add(side.mirrored(b_.lattice[k]), b_.cloud.areas[k], {{static_cast<int>(s), -1}, false, true, bonded});
+      if (!bonded)
+        tie_without_bonds(k, side.inside(b_.lattice[k]), side);
+      else if (side.kind == SupportKind::clamped)
         tie_clamped(k, side.inside(b_.lattice[k]), side);
       else
         tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])}, side);
@@ -120,13 +152,16 @@ void Builder::mirror_at_corners() {
   for (std::size_t s = 0; s < b_.sides.size(); ++s)
     for (std::size_t t = 0; t < b_.sides.size(); ++t) {
       const Side &first = b_.sides[s], &second = b_.sides[t];
-      const bool both = has_images(first) && has_images(second) && first.along_lattice() && second.along_lattice();
+      const bool both =
+          has_points_beyond(first) && has_points_beyond(second) && first.along_lattice() && second.along_lattice();
       if (!both || !convex_corner(first, second)) continue;
-      const auto p = parity(first.kind, first.normal_axis()), q = parity(second.kind, second.normal_axis());
+      const bool bonded = has_images(first) && has_images(second);
+      auto p = parity(first.kind, first.normal_axis()), q = parity(second.kind, second.normal_axis());
+      if (!bonded) p[0] = parity_of_deflection(first.kind), q[0] = parity_of_deflection(second.kind);
       for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
         if (!within(first, b_.lattice[k]) || !within(second, b_.lattice[k])) continue;
         add(second.mirrored(first.mirrored(b_.lattice[k])), b_.cloud.areas[k],
-            {{static_cast<int>(s), static_cast<int>(t)}, false, true});
+            {{static_cast<int>(s), static_cast<int>(t)}, false, true, bonded});
         for (std::uint32_t c = 0; c < unknowns_per_point; ++c)
           b_.constraints.tie(dof(last(), c), {{dof(k, c), double(p[c] * q[c])}},
                              moved_.of_corner(last(), k, c, first, p[c], second, q[c]));
@@ -140,7 +175,7 @@ void Builder::general_images() {
   const auto window = static_cast<long>(std::ceil(reach_));
   for (std::size_t s = 0; s < b_.sides.size(); ++s) {
     const Side& side = b_.sides[s];
-    if (!has_images(side) || side.along_lattice()) continue;
+    if (!has_points_beyond(side) || side.along_lattice()) continue;
     std::set<std::pair<long, long>> outside;  // twice their coordinates
     for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
       const Point& u = b_.lattice[k];
@@ -169,11 +204,12 @@ void Builder::outside_cell(const Point& u, int s) {
       const double away = (b_.lattice[*k] - image).norm();
       if (away < best) best = away, leader = k;
     }
-  add(u, spacing_ * spacing_, {{s, -1}, false, false});
+  add(u, spacing_ * spacing_, {{s, -1}, false, false, has_images(side)});
   if (!leader) {
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) fix(dof(last(), c), side);
     return;
   }
+  if (!has_images(side)) return tie_without_bonds(*leader, depth, side);
   if (side.kind == SupportKind::clamped) {
     tie_clamped(*leader, depth, side);
     return;
@@ -217,12 +253,13 @@ void Builder::layers() {
   std::map<std::pair<long, long>, std::vector<int>> cells;
   for (std::size_t s = 0; s < b_.sides.size(); ++s) {
     const Side& side = b_.sides[s];
-    if (!is_layer(side.kind)) continue;
+    if (!is_layer(side.kind) && !is_layer(side.other)) continue;
     Point low = side.edge.from.cwiseMin(side.edge.to), high = side.edge.from.cwiseMax(side.edge.to);
     const Point out = side.outward(low) * std::floor(reach_);
     low = low.cwiseMin(low + out), high = high.cwiseMax(high + out);
     for (const Side& other : b_.sides)
-      if (is_layer(other.kind) && (convex_corner(side, other) || convex_corner(other, side))) {
+      if ((is_layer(other.kind) || is_layer(other.other)) &&
+          (convex_corner(side, other) || convex_corner(other, side))) {
         const Point more = other.outward(low) * std::floor(reach_);
         low = low.cwiseMin(low + more), high = high.cwiseMax(high + more);
       }
@@ -233,9 +270,14 @@ void Builder::layers() {
   }
   for (const auto& [key, list] : cells) {
     add(Point(double(key.first) / 2, double(key.second) / 2), spacing_ * spacing_,
-        {{list[0], list.size() > 1 ? list[1] : -1}, true, false});
+        {{list[0], list.size() > 1 ? list[1] : -1},
+         true,
+         false,
+         is_layer(b_.sides[static_cast<std::size_t>(list[0])].kind)});
     for (const int s : list) {
       const Side& side = b_.sides[static_cast<std::size_t>(s)];
+      if (!is_layer(side.kind))
+        for (std::uint32_t c = 0; c < unknowns_per_point; ++c) fix(dof(last(), c), side);
       fix(dof(last(), 0), side);
       if (side.kind == SupportKind::clamped_layer) fix(dof(last(), 1), side), fix(dof(last(), 2), side);
       if (side.kind == SupportKind::simply_supported_hard_layer)
@@ -268,24 +310,28 @@ void warn_of_general_images(Boundary& boundary) {
 }  // namespace
 
 bool has_images(const Side& side) {
-  using enum SupportKind;
-  return side.kind == clamped || side.kind == simply_supported_hard || side.kind == symmetry;
+  return has_images(side.kind);
 }
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization, const std::vector<SupportMotion>& motions, PointMap map,
-                  PlateLaw law) {
+                  PlateLaw law, const std::vector<Support>& others) {
   Boundary result;
   result.map = std::move(map);
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
   result.cloud = std::move(cloud);
   result.sides = sides_of(outline, supports);
+  if (!others.empty()) {
+    const auto sides = sides_of(outline, others);
+    for (std::size_t s = 0; s < sides.size(); ++s) result.sides[s].other = sides[s].kind;
+  }
   result.holders = holders_of(supports);
   warn_of_general_images(result);
   const SupportOffsets moved(result, motions);
   Builder builder(result, moved, discretization.horizon_ratio, discretization.spacing);
   builder.pins();
   hold_inside(result, supports, moved);
+  hold_hubs(result, hubs_of(supports, result.cloud), supports, law, moved);
   builder.outermost_rows();
   builder.mirror_images();
   builder.general_images();
@@ -295,7 +341,7 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   result.constraints.resolve();
   result.active.assign(result.cloud.size(), 1);
   for (std::size_t i = 0; i < result.fictitious.size(); ++i)
-    result.active[result.cloud.plate_points + i] = result.fictitious[i].layer;
+    result.active[result.cloud.plate_points + i] = result.fictitious[i].layer && result.fictitious[i].bonded;
   return result;
 }
 

@@ -7,10 +7,11 @@
 namespace plate {
 
 /// `outline` in lattice units. `motions`: of supports that loads move. `map`: of the ranks that share the plate,
-/// without its points. Of a membrane w is held everywhere.
+/// without its points. Of a membrane w is held everywhere. `others`: supports of the plate in its plane, or across it
+/// for a plate in its plane, whose points beyond edges are points here, too, without bonds.
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization, const std::vector<SupportMotion>& motions = {},
-                  PointMap map = {}, PlateLaw law = PlateLaw::bending);
+                  PointMap map = {}, PlateLaw law = PlateLaw::bending, const std::vector<Support>& others = {});
 
 /// True where the plate goes on beyond the side, as images.
 bool has_images(const Side& side);

@@ -110,9 +110,13 @@ geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outli
   return [&boundary, &outline, near = std::move(near)](std::uint32_t k, std::uint32_t j) {
     if (boundary.is_plate(j))
       return !(near[k] && near[j]) || !geometry::leaves(outline, boundary.lattice[k], boundary.lattice[j]);
-    const bool layer = boundary.fictitious[j - boundary.cloud.plate_points].layer;
+    const auto of = [&](std::uint32_t i) -> const FictitiousPoint& {
+      return boundary.fictitious[i - boundary.cloud.plate_points];
+    };
+    if (!of(j).bonded) return false;
+    const bool layer = of(j).layer;
     if (boundary.is_plate(k)) return layer ? sees_layer(boundary, k, j) : sees_image(boundary, k, j);
-    return layer && boundary.fictitious[k - boundary.cloud.plate_points].layer && sees_layer(boundary, k, j);
+    return layer && of(k).layer && of(k).bonded && sees_layer(boundary, k, j);
   };
 }
 

@@ -237,7 +237,8 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
   const std::string asymmetric = "the stiffness with " + nodes + " is not symmetric: ";
   return {{Feature::layers, nodes + " hold edges, not layers"},
           {Feature::any_direction, nodes + " are of edges along the axes"},
-          {Feature::stretching, "bonds carry loads in the plane at rest, and know no stretching of deflected plates"},
+          {Feature::stretching, asymmetric + "loads in the plane act on bending with boundary = \"images\""},
+          {Feature::growth_in_plane, "growth under loads in the plane was measured of the Galerkin plate alone"},
           {Feature::touching_faces, "bonds have no points on the faces of cracks"},
           {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
           {Feature::short_horizon, asymmetric + "it is solved directly"},

@@ -56,7 +56,7 @@ std::vector<Side> sides_of(const geometry::Outline& outline, const std::vector<S
 std::vector<Holder> holders_of(const std::vector<Support>& supports) {
   using enum Holder::Place;
   std::vector<Holder> holders;
-  std::size_t pins = 0, lines = 0, parts = 0;
+  std::size_t pins = 0, lines = 0, parts = 0, hubs = 0;
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const auto& support = supports[i];
     const auto add = [&](const std::string& name, const std::optional<Point>& position, Holder::Place place) {
@@ -66,7 +66,9 @@ std::vector<Holder> holders_of(const std::vector<Support>& supports) {
       if (holder(holders, name) == holders.size()) add(name, std::nullopt, edge);
     for (const auto& x : support.points) add("pin" + std::to_string(pins++), x, point);
     if (!support.along.empty()) add("line" + std::to_string(lines++), std::nullopt, inside);
-    if (support.patch) add("part" + std::to_string(parts++), std::nullopt, inside);
+    if (!support.patch) continue;
+    const bool hub = support.kind == SupportKind::hub;
+    add(hub ? "hub" + std::to_string(hubs++) : "part" + std::to_string(parts++), std::nullopt, inside);
   }
   return holders;
 }

@@ -22,6 +22,8 @@ struct Side {
   geometry::Point centre{0, 0};  // circle
   double radius = 0;
   SupportKind kind = SupportKind::free;
+  /// Of the same edge in the plane, or for a plate in its plane across it, where both have the same points.
+  SupportKind other = SupportKind::free;
 
   double inside(const geometry::Point& u) const;            // distance from the side, positive on the plate's side
   geometry::Point outward(const geometry::Point& u) const;  // unit normal at the side's point next to u
@@ -39,14 +41,15 @@ struct FictitiousPoint {
   std::array<int, 2> sides{-1, -1};
   bool layer = false;  // of a layer in the manner of Dai et al.: stores energy, not tied to a point of the plate
   bool exact = false;  // the exact mirror image of a point of the plate
+  bool bonded = true;  // false: only the other of a plate and its plane has bonds to it
 };
 
 /// Support that reactions are attributed to: all edges of one name, a point, a line or a part of the plate.
 struct Holder {
   enum class Place { edge, point, inside };
-  std::string name;  // of the edges; pin0, pin1, ..., line0, ..., part0, ... in the order of the case
+  std::string name;  // of the edges; pin0, ..., line0, ..., part0, ..., hub0, ... in the order of the case
   SupportKind kind = SupportKind::free;
-  std::optional<geometry::Point> position;  // of a point [length]
+  std::optional<geometry::Point> position;  // of a point or the centre of a hub [length]
   Place place = Place::edge;
   std::size_t support = 0;  // its number
 };

@@ -143,6 +143,9 @@ public:
   /// A plate of the same points in their plane (PlateLaw::membrane). Of a plate that one process holds.
   /// @throws Refused
   virtual std::unique_ptr<Formulation> middle_plane() const;
+  /// Derivatives of the energy by the rotations of the plate (rows) and by the displacements of its plane, symmetric
+  /// (Problem::coupled()). Only of kinds that offer Feature::stretching.
+  virtual PointMatrix coupling() const;
   /// The plate itself, factorised. Only of kinds that offer it.
   virtual std::unique_ptr<Preconditioner> factor() const;
   virtual SingleForce single_precision() const { return {}; }  // nothing in kinds that do not offer it

@@ -153,7 +153,8 @@ double von_mises(const Eigen::Vector3d& stress) {
 }  // namespace
 
 double von_mises(const Eigen::Vector3d& moments, const Section& section) {
-  if (section.isotropic()) return von_mises(Eigen::Vector3d(moments * (6 / (section.thickness * section.thickness))));
+  const double h = section.thickness, by_moment = section.law == PlateLaw::membrane ? 1 / h : 6 / (h * h);
+  if (section.isotropic()) return von_mises(Eigen::Vector3d(moments * by_moment));
   const LocalSection l(section);
   return von_mises(Eigen::Vector3d(l.top * l.bending.ldlt().solve(moments)));
 }
@@ -170,6 +171,23 @@ Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_ben
     result[k] = std::max(von_mises(Eigen::Vector3d(stretched + bent)), von_mises(Eigen::Vector3d(stretched - bent)));
   }
   return result;
+}
+
+void couple(Resultants& bending, Resultants& membrane, const Section& section) {
+  const auto by = [&](PlateLaw law) {
+    Section result = section;
+    result.law = law;
+    return LocalSection(result).bending;
+  };
+  const Eigen::Matrix3d A = by(PlateLaw::membrane), B = by(PlateLaw::coupling), D = by(PlateLaw::bending);
+  const Eigen::Matrix3d top = plane_stress(section.plies.back()), bottom = plane_stress(section.plies.front());
+  const double half = section.thickness / 2;
+  const Eigen::Matrix3Xd strains = A.ldlt().solve(membrane.moments), curvatures = D.ldlt().solve(bending.moments);
+  bending.moments += B * strains, membrane.moments += B * curvatures;
+  for (Eigen::Index k = 0; k < strains.cols(); ++k)
+    bending.von_mises[k] = std::max(von_mises(Eigen::Vector3d(top * (strains.col(k) + half * curvatures.col(k)))),
+                                    von_mises(Eigen::Vector3d(bottom * (strains.col(k) - half * curvatures.col(k)))));
+  membrane.von_mises = bending.von_mises;
 }
 
 Resultants resultants_of(Eigen::Index points) {

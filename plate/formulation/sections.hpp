@@ -52,6 +52,10 @@ double von_mises(const Eigen::Vector3d& moments, const Section& section);
 Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_bending, const Resultants& membrane,
                           const PointSections& of_membrane);
 
+/// Completes resultants of a section that couples, which are given as D kappa and A epsilon: M = D kappa + B epsilon,
+/// N = A epsilon + B kappa, and for both the von Mises stress at every point, the larger of both faces.
+void couple(Resultants& bending, Resultants& membrane, const Section& section);
+
 /// Resultants of these points, not yet set.
 Resultants resultants_of(Eigen::Index points);
 

@@ -8,6 +8,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/foundations.hpp"
+#include "plate/formulation/hubs.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/problem.hpp"
@@ -44,13 +45,27 @@ void add_slope(const Node& node, const Point& along, double factor, Sum& form) {
   }
 }
 
-/// Adds an element between two places: E I and G J by the difference of the slopes, and the shear angle by what makes
-/// it the cubic line of Hermite, one after the other with the beam's own shear.
-void add_element(const Stiffener& beam, const Node& a, const Node& b, ElasticSupportSum& sum) {
+/// Stiffness EA of the axis at z = e by what slopes are of a law: of the fibre at z = 1, or of the middle plane, whose
+/// strains are e kappa and epsilon of EA (epsilon + e kappa)^2.
+double axial_by(PlateLaw law, const Stiffener& beam) {
+  switch (law) {
+    case PlateLaw::membrane:
+      return beam.axial;
+    case PlateLaw::coupling:
+      return beam.axial * beam.eccentricity;
+    case PlateLaw::bending:
+      break;
+  }
+  return beam.axial * beam.eccentricity * beam.eccentricity;
+}
+
+/// Adds an element between two places: E A, E I and G J by the difference of the slopes, and the shear angle by what
+/// makes it the cubic line of Hermite, one after the other with the beam's own shear.
+void add_element(const Stiffener& beam, PlateLaw law, const Node& a, const Node& b, ElasticSupportSum& sum) {
   const Point way = b.at - a.at, along = way.normalized(), across(-along.y(), along.x());
   const double length = way.norm();
   const auto add = [&](double stiffness, const std::function<void(Sum&)>& fill) {
-    if (stiffness <= 0) return;
+    if (stiffness == 0) return;
     Sum form;
     fill(form);
     std::vector<FormTerm> terms;
@@ -61,6 +76,8 @@ void add_element(const Stiffener& beam, const Node& a, const Node& b, ElasticSup
   const auto difference = [&](const Point& direction) {
     return [&, direction](Sum& form) { add_slope(b, direction, 1, form), add_slope(a, direction, -1, form); };
   };
+  if (const double axial = axial_by(law, beam); axial != 0) add(axial / length, difference(along));
+  if (law != PlateLaw::bending) return;
   add(beam.bending / length, difference(along));
   add(beam.torsion / length, difference(across));
   const double cubic = 12 * beam.bending / (length * length);
@@ -107,8 +124,9 @@ void for_elements(const Stiffener& beam, const geometry::Tessellation& cells,
 
 }  // namespace
 
-void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, ElasticSupportSum& sum) {
-  for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, a, b, sum); });
+void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tessellation& cells,
+                   ElasticSupportSum& sum) {
+  for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, law, a, b, sum); });
 }
 
 std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells) {
@@ -244,10 +262,13 @@ void add_edges(const Spring& spring, const geometry::Tessellation& cells, Elasti
   }
 }
 
-/// `found(foundation, sum)`, `hold(spring, sum)`, `stiffen(stiffener, sum)`: what they add.
+/// `hubs`: those of the supports, none in the plane; `found(foundation, sum)`, `hold(spring, sum)`,
+/// `stiffen(stiffener, sum)`: what they add.
 template <typename Found, typename Hold, typename Stiffen>
-ElasticSupports all(const Problem& problem, std::size_t points, const Found& found, const Hold& hold,
-                    const Stiffen& stiffen) {
+ElasticSupports all(const Problem& problem, const std::vector<Point>& positions, const std::vector<Hub>& hubs,
+                    const Found& found, const Hold& hold, const Stiffen& stiffen) {
+  const auto points = positions.size();
+  const auto holders = hubs.empty() ? std::vector<Holder>() : holders_of(problem.supports);
   std::vector<ElasticSupport> parts;
   for (std::size_t i = 0; i < problem.foundations.size(); ++i) {
     ElasticSupportSum sum(points);
@@ -258,6 +279,12 @@ ElasticSupports all(const Problem& problem, std::size_t points, const Found& fou
     ElasticSupportSum sum(points);
     hold(problem.springs[i], sum);
     parts.push_back(std::move(sum).taken(fmt::format("spring{}", i), problem.springs[i].position));
+  }
+  for (const auto& hub : hubs) {
+    ElasticSupportSum sum(points);
+    const auto& support = problem.supports[holders[hub.holder].support];
+    if (add_hub(hub, support, positions, sum))
+      parts.push_back(std::move(sum).taken(holders[hub.holder].name, hub.centre));
   }
   for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) {
     ElasticSupportSum sum(points);
@@ -270,8 +297,10 @@ ElasticSupports all(const Problem& problem, std::size_t points, const Found& fou
 }  // namespace
 
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud) {
+  const bool bends = problem.section.law == PlateLaw::bending;
   return all(
-      problem, cloud.size(), [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
+      problem, cloud.positions, bends ? hubs_of(problem.supports, cloud) : std::vector<Hub>(),
+      [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, problem, cloud, sum);
         if (!one.along.empty())
@@ -283,14 +312,17 @@ ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Clou
 
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Tessellation& cells) {
   const auto points = cells.positions.size();
+  const bool bends = problem.section.law == PlateLaw::bending;
+  const auto outline = geometry::to_lattice(problem.outline, cells.units);
   return all(
-      problem, points, [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cells, sum); },
+      problem, cells.positions, bends ? hubs_of(problem.supports, outline, cells) : std::vector<Hub>(),
+      [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cells, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, cells, sum);
         if (!one.along.empty()) add_line(one, line_pieces(one.along, cells), cells.positions, sum);
         if (one.position && cells.sees(*one.position)) add_point(one, cells.positions, points, sum);
       },
-      [&](const Stiffener& one, ElasticSupportSum& sum) { add_stiffener(one, cells, sum); });
+      [&](const Stiffener& one, ElasticSupportSum& sum) { add_stiffener(one, problem.section.law, cells, sum); });
 }
 
 }  // namespace plate

@@ -12,10 +12,13 @@ namespace plate {
 
 struct Problem;
 struct Stiffener;
+enum class PlateLaw;
 
 /// The stiffness of a beam on points on the edges and between them: elements of the beam of Bernoulli (Hermite's cubic
-/// lines), or of Timoshenko, between places a spacing apart (theory.md, "Stiffeners").
-void add_stiffener(const Stiffener& stiffener, const geometry::Tessellation& cells, ElasticSupportSum& sum);
+/// lines), or of Timoshenko, between places a spacing apart; of laws other than bending that of EA alone (theory.md,
+/// "Stiffeners").
+void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tessellation& cells,
+                   ElasticSupportSum& sum);
 
 /// Mass of all stiffeners at every point [mass]; empty where none has any.
 std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells);

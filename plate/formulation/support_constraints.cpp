@@ -147,7 +147,8 @@ void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint3
 
 void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const SupportOffsets& moved) {
   for (std::uint32_t i = 0; i < boundary.holders.size(); ++i) {
-    if (boundary.holders[i].place != Holder::Place::inside) continue;
+    const bool hub = boundary.holders[i].kind == SupportKind::hub;  // hold_hubs()
+    if (boundary.holders[i].place != Holder::Place::inside || hub) continue;
     const auto& support = supports[boundary.holders[i].support];
     if (support.patch)
       hold_part(boundary, *support.patch, i, moved);

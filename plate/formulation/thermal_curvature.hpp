@@ -11,9 +11,10 @@ struct Resultants;
 struct Section;
 
 /// Thermal load of a plate at an instant (theory.md, "Heated plates"). Empty where no temperature acts: the functions
-/// below then cost nothing.
+/// below then cost nothing. Of a membrane (PlateLaw::membrane) curvatures are the strains alpha T of the mean
+/// temperature, and moments are membrane forces.
 struct Heat {
-  Eigen::VectorXd curvature = {};  // kappa_0 of the points of the plate [1 / length]
+  Eigen::VectorXd curvature = {};  // kappa_0 of the points of the plate [1 / length], of a membrane alpha T
   Forces forces = {};              // what it loads the plate with [3 x points]
 
   bool none() const { return curvature.size() == 0; }

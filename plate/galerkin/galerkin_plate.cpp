@@ -143,6 +143,11 @@ public:
     return std::make_unique<GalerkinPlate>(
         discretised_part(membrane_of(problem()), paths(), cells_, communicator(), ignored));
   }
+  PointMatrix coupling() const override {
+    auto by_section = section().couples() ? coupling_matrix(op_.families(), section())
+                                          : zeros(points(), [](Column&, std::uint32_t) {});
+    return with(std::move(by_section), elastic_supports_of(coupling_of(problem()), cells_));
+  }
   std::unique_ptr<Preconditioner> factor() const override {
     if (distributed()) return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
@@ -243,7 +248,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   auto paths = crack_paths(problem);
   auto cells = required_cells(problem, paths, all.distributed());
   stopwatch.lap("geometry");
-  if (problem.stretches || problem.faces_touch() || loaded_in_plane(problem))
+  if (has_plane(problem))
     result.membrane =
         std::make_unique<GalerkinPlate>(discretised_part(membrane_of(problem), paths, cells, all, stopwatch));
   result.plate =

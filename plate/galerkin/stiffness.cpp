@@ -1,6 +1,7 @@
 #include "plate/galerkin/stiffness.hpp"
 
 #include <omp.h>
+#include <cmath>
 #include <stdexcept>
 
 #include "plate/solve/matrices/point_matrix.hpp"
@@ -24,7 +25,8 @@ std::array<double, 3> of_owner(double x, double y) {
 void FamilyStiffness::find(std::size_t k) {
   members_ = families_.families[k].size() + 1;
   if (members_ > most_members) throw std::invalid_argument("a point has more than 32 neighbours");
-  const GalerkinStiffness stiffness(sections_[k], families_.square(k));
+  GalerkinStiffness stiffness(sections_[k], families_.square(k));
+  if (residual_of_all_) stiffness.bending_residual = *residual_of_all_;
   take_bonds(k, stiffness);
   for (std::size_t i = 0; i < members_; ++i) find_rows(i);
   add_bonds();
@@ -175,7 +177,8 @@ void add_family(const FamilyStiffness& family, const Members& members, std::uint
 
 }  // namespace
 
-PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& sections) {
+PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& sections,
+                             std::optional<double> residual) {
   const auto points = all.areas.size();
   auto result = zeros(points, [&](Column& column, std::uint32_t k) {
     for (const auto& bond : all.families[k]) {
@@ -191,7 +194,7 @@ PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& s
   {
     const auto threads = std::size_t(omp_get_num_threads()), thread = std::size_t(omp_get_thread_num());
     const auto begin = std::uint32_t(points * thread / threads), end = std::uint32_t(points * (thread + 1) / threads);
-    FamilyStiffness own(all, sections), shared(lattice ? *lattice->families : all, sections);
+    FamilyStiffness own(all, sections, residual), shared(lattice ? *lattice->families : all, sections, residual);
     if (lattice) shared.find(lattice->point);
     for (std::uint32_t k = 0; k < points && begin < end; ++k) {
       const Members members(all.families, k);
@@ -201,6 +204,17 @@ PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& s
     }
   }
   return result;
+}
+
+PointMatrix coupling_matrix(const GalerkinFamilies& families, const Section& section) {
+  const auto by = [&](PlateLaw law) {
+    Section result = section;
+    result.law = law;
+    return result;
+  };
+  const auto residual = [&](PlateLaw law) { return GalerkinStiffness(by(law), families.square(0)).bending_residual; };
+  return stiffness_matrix(families, PointSections(by(PlateLaw::coupling)),
+                          std::sqrt(residual(PlateLaw::bending) * residual(PlateLaw::membrane)));
 }
 
 PointMatrix stiffness_matrix(const GalerkinOperator& plate) {

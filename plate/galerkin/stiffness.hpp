@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "plate/formulation/sections.hpp"
 #include "plate/galerkin/families.hpp"
@@ -15,9 +16,10 @@ class FamilyStiffness {
 public:
   static constexpr std::size_t most_members = 33;  // with the owner
 
-  /// Constructs from families and sections; both must outlive this.
-  FamilyStiffness(const GalerkinFamilies& families, const PointSections& sections)
-      : families_(families), sections_(sections) {}
+  /// Constructs from families and sections; both must outlive this. `residual`: t_b where it is not that of the
+  /// sections.
+  FamilyStiffness(const GalerkinFamilies& families, const PointSections& sections, std::optional<double> residual = {})
+      : families_(families), sections_(sections), residual_of_all_(residual) {}
   FamilyStiffness(const GalerkinFamilies& families, PointSections&& sections) = delete;
 
   /// Throws std::invalid_argument where k has more than 32 neighbours.
@@ -43,6 +45,7 @@ private:
 
   const GalerkinFamilies& families_;
   const PointSections& sections_;
+  std::optional<double> residual_of_all_;  // t_b
   std::size_t members_ = 0;
   // of every bond: x_i - x_k, 1 / length, share; by members, the owner's unused
   Numbers x_, y_, inverse_, share_;
@@ -61,7 +64,13 @@ Eigen::MatrixXd family_stiffness(const GalerkinFamilies& families, const PointSe
 /// K of all degrees of freedom. Any number of threads gives the same bits.
 PointMatrix stiffness_matrix(const GalerkinOperator& plate);
 
-/// Stiffness without the elastic supports.
-PointMatrix stiffness_matrix(const GalerkinFamilies& families, const PointSections& sections);
+/// Stiffness without the elastic supports. `residual`: as FamilyStiffness.
+PointMatrix stiffness_matrix(const GalerkinFamilies& families, const PointSections& sections,
+                             std::optional<double> residual = {});
+
+/// Derivatives of the energy by the rotations of a plate and by the displacements in its plane, symmetric: B in the
+/// place of D, and t_b such that the energy of bending, stretching and coupling is positive (theory.md, "Coupled
+/// sections"). `section`: of the plate that bends, the same everywhere.
+PointMatrix coupling_matrix(const GalerkinFamilies& families, const Section& section);
 
 }  // namespace plate

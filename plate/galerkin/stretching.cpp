@@ -25,6 +25,9 @@ public:
   void find(const GalerkinFamilies& families, const PointSections& sections, std::size_t k, const State& bending,
             const State& membrane);
 
+  /// Adds the forces of a free strain, the same in all directions, that is held.
+  void hold(double free) { S_ -= free * stiffness_ * Eigen::Vector3d(1, 1, 0); }
+
   double energy() const;
   /// Mean strains xx, yy, 2 xy.
   const Eigen::Vector3d& strains() const { return strain_; }
@@ -282,10 +285,16 @@ PointMatrix GalerkinStretching::stiffness(const State& bending, const State& mem
   return result;
 }
 
-PointMatrix GalerkinStretching::geometric_stiffness(const State& membrane) const {
-  auto result = zeros(families_.areas.size(),
-                      [&](Column& column, std::uint32_t k) { couple_to_families(column, families_, k, 0); });
+namespace {
+
+/// Stiffness of the deflections of a flat plate under the membrane forces of a state, and of free strains that are
+/// held, where there are any.
+PointMatrix geometric_stiffness_of(const GalerkinFamilies& families, const PointSections& sections,
+                                   const State& membrane, const Eigen::VectorXd& free) {
+  auto result = zeros(families.areas.size(),
+                      [&](Column& column, std::uint32_t k) { couple_to_families(column, families, k, 0); });
   const auto add = [&](Family& family, const std::vector<Member>& members, const auto& own) {
+    if (free.size() > 0) family.hold(free[std::ranges::find(members, 0U, &Member::place)->point]);
     for (const auto& column : members) {
       if (!own(column.point)) continue;
       auto at = result.first[column.point];
@@ -296,8 +305,18 @@ PointMatrix GalerkinStretching::geometric_stiffness(const State& membrane) const
       }
     }
   };
-  add_families(families_, sections_, zero_state(families_.areas.size()), membrane, add);
+  add_families(families, sections, zero_state(families.areas.size()), membrane, add);
   return result;
+}
+
+}  // namespace
+
+PointMatrix GalerkinStretching::geometric_stiffness(const State& membrane) const {
+  return geometric_stiffness_of(families_, sections_, membrane, {});
+}
+
+PointMatrix GalerkinStretching::stiffness_of_heat(const Eigen::VectorXd& free) const {
+  return geometric_stiffness_of(families_, sections_, zero_state(families_.areas.size()), free);
 }
 
 Stretch GalerkinStretching::stretch(const State& bending) const {

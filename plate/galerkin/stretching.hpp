@@ -20,6 +20,7 @@ public:
   PointMatrix geometric_stiffness(const State& membrane) const override;
   Stretch stretch(const State& bending) const override;
   Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const override;
+  PointMatrix stiffness_of_heat(const Eigen::VectorXd& free) const override;
 
 private:
   const GalerkinFamilies& families_;

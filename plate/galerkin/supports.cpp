@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "plate/formulation/hubs.hpp"
 #include "plate/formulation/support_constraints.hpp"
 #include "plate/model/space.hpp"
 
@@ -151,6 +152,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
     if (by == result.holders.size()) continue;
     const Point along = (cells.positions[border.to] - cells.positions[border.from]).normalized();
     const auto& who = result.holders[by];
+    if (who.kind == SupportKind::hub) continue;
     Holding holding{who.kind, by, {along.y(), -along.x()}, round.contains(who.name), {}};
     for (const auto& motion : motions)
       if (motion.settlement.support == who.support) holding.motions.push_back(&motion);
@@ -164,6 +166,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
   const SupportOffsets moved(result, motions);
   hold_places(result, moved);
   hold_inside(result, supports, moved);
+  hold_hubs(result, hubs_of(supports, outline, cells), supports, law, moved);
   for (std::uint32_t k = 0; law == PlateLaw::membrane && k < cells.positions.size(); ++k)
     result.constraints.fix(dof(k, 0));
   result.constraints.resolve();

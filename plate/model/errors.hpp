@@ -35,6 +35,7 @@ enum class Subject {
   load_patch,
   load_line,
   load_expression,
+  load_mean,
   settlement,
   load_table,
   load_path,

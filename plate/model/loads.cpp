@@ -377,7 +377,9 @@ std::optional<Point> Load::point() const {
 
 bool Load::in_plane() const {
   const auto* force = as<PointForce>();
-  return as<EdgeTraction>() || as<BodyForce>() || (force && force->vector != Point(0, 0));
+  const auto* heat = as<Temperature>();
+  return as<EdgeTraction>() || as<BodyForce>() || (force && force->vector != Point(0, 0)) ||
+         (heat && (heat->mean != 0 || heat->mean_formula.given()));
 }
 
 namespace {
@@ -410,6 +412,7 @@ void scale(Load& load, double factor) {
         if constexpr (requires { one.vector; }) multiply(one.vector);
         if constexpr (requires { one.shear; }) multiply(one.shear);
         if constexpr (requires { one.formula; }) scale_formula(one.formula);
+        if constexpr (requires { one.mean; }) multiply(one.mean), scale_formula(one.mean_formula);
         if constexpr (requires { one.gradient; }) multiply(one.gradient);
         if constexpr (requires { one.twist; }) multiply(one.twist);
         if constexpr (requires { one.slope; }) multiply(one.slope), multiply(one.rotation);

@@ -124,11 +124,13 @@ struct LineLoad {
   double value = 0;
 };
 
-/// Temperature of the face z > 0 less that of the other: a value or a formula.
+/// Temperature, linear over the thickness. Each part is a value or a formula.
 struct Temperature {
   static constexpr const char* name = "temperature";
-  double value = 0;
+  double value = 0;  // of the face z > 0 less that of the other; in the plane the mean
   Formula formula = {};
+  double mean = 0;  // of the middle plane above that without stress
+  Formula mean_formula = {};
 };
 
 /// Motion of a support as a rigid body, and of every edge about itself.

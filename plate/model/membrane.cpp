@@ -3,8 +3,9 @@
 namespace plate {
 namespace {
 
-/// The kind that holds the rotations as a support holds the displacements in the plane.
+/// The kind that holds the rotations as a support holds the displacements in the plane. A hub stays one.
 SupportKind kind_in_plane(const Support& support) {
+  if (support.kind == SupportKind::hub) return SupportKind::hub;
   switch (support.held_in_plane()) {
     case InPlane::fixed:
       return SupportKind::clamped;
@@ -24,12 +25,28 @@ bool loaded_in_plane(const Problem& problem) {
   return std::ranges::any_of(problem.loads, &Load::in_plane);
 }
 
+bool has_plane(const Problem& problem) {
+  return problem.stretches || problem.faces_touch() || loaded_in_plane(problem) || problem.coupled();
+}
+
 Problem membrane_of(Problem problem) {
   problem.section.law = PlateLaw::membrane;
   for (auto& support : problem.supports) support.kind = kind_in_plane(support);
   for (auto& load : problem.loads)
-    if (!load.in_plane()) load.action = BodyForce{};
-  problem.foundations.clear(), problem.springs.clear(), problem.stiffeners.clear();
+    if (!load.in_plane())
+      load.action = BodyForce{};
+    else if (auto* heat = load.as<Temperature>())
+      heat->value = heat->mean, heat->formula = heat->mean_formula;
+  problem.foundations.clear(), problem.springs.clear();
+  std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.stretches(); });
+  for (auto& beam : problem.stiffeners) beam.mass = 0;
+  return problem;
+}
+
+Problem coupling_of(Problem problem) {
+  problem.section.law = PlateLaw::coupling;
+  problem.foundations.clear(), problem.springs.clear();
+  std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.eccentric(); });
   return problem;
 }
 

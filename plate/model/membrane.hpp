@@ -6,9 +6,16 @@ namespace plate {
 /// True where a load acts in the plane.
 bool loaded_in_plane(const Problem& problem);
 
+/// True where a plate has its plane beside it: loads act there, the middle plane stretches, bending and stretching are
+/// coupled, or faces of cracks touch.
+bool has_plane(const Problem& problem);
+
 /// The plate in its plane (PlateLaw::membrane): what its supports hold there stands in their kinds, and its loads give
-/// what they do there. Foundations, springs and stiffeners do not act in the plane, nor do temperatures that differ
-/// between the faces.
+/// what they do there: temperatures have their mean in place of the difference between the faces. Of stiffeners their
+/// axial stiffness acts there; foundations and springs do not.
 Problem membrane_of(Problem problem);
+
+/// The coupling of the plate to its plane (PlateLaw::coupling): a section of stiffness B, and eccentric stiffeners.
+Problem coupling_of(Problem problem);
 
 }  // namespace plate

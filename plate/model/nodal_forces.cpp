@@ -274,8 +274,9 @@ std::vector<SupportMotion> support_motions(const Problem& problem) {
 Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
                                std::size_t count) {
   const auto* heat = load.as<Temperature>();
-  if (!heat) return {};
-  const double each = section.thermal_expansion / section.thickness;
+  if (!heat || (heat->value == 0 && !heat->formula.given() && load.in_plane())) return {};
+  const double each =
+      section.law == PlateLaw::membrane ? section.thermal_expansion : section.thermal_expansion / section.thickness;
   if (!heat->formula.given()) return Eigen::VectorXd::Constant(Eigen::Index(count), each * heat->value);
   Eigen::VectorXd result(static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) {

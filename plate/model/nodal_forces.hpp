@@ -57,7 +57,7 @@ MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells
 struct TimedLoad {
   Forces forces;
   History history;
-  /// kappa_0 of a temperature at every point of the plate [1 / length]; of other loads empty.
+  /// kappa_0 of a temperature at every point of the plate [1 / length], of a membrane alpha T; of other loads empty.
   Eigen::VectorXd curvature = {};
   State lift = no_state();
   std::shared_ptr<const MovingForces> moving = {};  // of a load that moves along a path; `forces` are zero
@@ -95,8 +95,9 @@ struct SupportMotion {
 std::vector<SupportMotion> support_motions(const Problem& problem);
 
 /// kappa_0 = alpha (temperature at z = h/2 less that at z = -h/2) / h: the curvature in all directions that the plate
-/// would take if nothing hindered it, psi = -kappa_0 (x, y), theory (78) [1 / length], at the first `count` positions.
-/// Empty of other loads. Throws FormulaError.
+/// would take if nothing hindered it, psi = -kappa_0 (x, y), theory (78) [1 / length], at the first `count` positions;
+/// of a membrane the strain alpha times the mean temperature, (u, v) = alpha T (x, y). Empty of other loads. Throws
+/// FormulaError.
 Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
                                std::size_t count);
 

@@ -62,12 +62,15 @@ struct Problem {
   std::optional<Impact> impact = {};     // likewise
   bool stretches = false;                // its middle plane, with the deflections (von Karman)
   std::optional<CrackFaces> faces = {};  // of the cracks
+  bool joined_with_plane = false;        // states of the plate and its plane stand together: they share all points
 
   /// True where there is a unilateral foundation.
   bool unilateral() const {
     return std::ranges::any_of(foundations, [](const Foundation& one) { return one.unilateral; });
   }
   bool faces_touch() const { return faces && faces->contact; }
+  /// True where bending and stretching act on each other in linear theory.
+  bool coupled() const { return section.couples() || std::ranges::any_of(stiffeners, &Stiffener::eccentric); }
   bool elastically_supported() const { return !foundations.empty() || !springs.empty(); }
 };
 

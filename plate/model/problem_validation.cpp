@@ -34,7 +34,7 @@ bool needs_axis_parallel(SupportKind kind) {
 
 /// True of displacements in the plane that edges hold along their normal or tangent alone, where loads act there.
 bool one_way_in_plane(const Support& support, const Problem& problem) {
-  return (support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential) && loaded_in_plane(problem);
+  return (support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential) && has_plane(problem);
 }
 
 void check_names(const std::vector<std::string>& names, const std::vector<std::string>& existing, Subject subject,
@@ -152,6 +152,30 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
   }
 }
 
+/// Adds refusals of a hub: it is round, and a rigid body in the plane.
+void check_hub(const Problem& problem, std::size_t i, std::vector<Refusal>& found) {
+  const auto& support = problem.supports[i];
+  const auto round = [&](const std::string& edge) {
+    return std::ranges::any_of(problem.outline.holes, [&](const geometry::Hole& hole) {
+      const auto* circle = std::get_if<geometry::Circle>(&hole);
+      return circle && circle->name == edge;
+    });
+  };
+  const auto existing = geometry::edge_names(problem.outline);
+  for (const auto& edge : support.edges)
+    if (!round(edge) && std::ranges::find(existing, edge) != existing.end())
+      found.push_back({Subject::support_edges, i,
+                       fmt::format("\"{}\" is no round hole, which a hub would fill: give holes of circles", edge)});
+  if (support.patch && !std::holds_alternative<geometry::Circle>(*support.patch))
+    found.push_back({Subject::support_patch, i, "a hub is round: give on = { circle = [x, y, radius] }"});
+  if (support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential)
+    found.push_back({Subject::support_in_plane, i, "a hub moves as one body: choose \"fixed\" or \"free\""});
+  if (support.patch && support.k_phi && problem.stretches)
+    found.push_back({Subject::support_patch, i,
+                     "large deflections would stretch the plate within a disc that turns: give a hole of this circle "
+                     "and edges, or remove k_phi"});
+}
+
 /// Places within the plate that a support holds, of which it has one kind, or edges.
 void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& found) {
   const auto& support = problem.supports[i];
@@ -161,7 +185,8 @@ void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& f
   if (places != 1)
     found.push_back({Subject::support_edges, i,
                      std::string(places == 0 ? "nothing is held: give " : "several are given, must be one of ") +
-                         (!inside                               ? "edges"
+                         (support.kind == SupportKind::hub      ? "edges or on"
+                          : !inside                             ? "edges"
                           : support.kind == SupportKind::pinned ? "points, along or on"
                                                                 : "edges, points, along or on")});
   for (const auto& point : support.points)
@@ -178,7 +203,9 @@ void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& f
   if (support.kind == SupportKind::in_plane && support.held_in_plane() == InPlane::free)
     found.push_back({Subject::support_in_plane, i, "\"free\" holds nothing: remove the support, or hold something"});
   const bool one_way = support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential;
-  if (one_way && support.edges.empty())
+  if (support.kind == SupportKind::hub)
+    check_hub(problem, i, found);
+  else if (one_way && support.edges.empty())
     found.push_back({Subject::support_in_plane, i, "edges alone have a normal: choose \"fixed\" or \"free\""});
   check_along(support.along, {Subject::support_line, i, ""}, problem.outline, found);
   check_line(support.along, {Subject::support_line, i, ""}, problem, found);
@@ -315,13 +342,15 @@ std::vector<Refusal> errors_in_heat(const Problem& problem) {
     found.push_back({subject, number, what});
   };
   if (problem.section.thermal_expansion == 0)
-    refuse(Subject::thermal_expansion, "is missing, must be a number > 0: temperatures bend the plate by it");
+    refuse(Subject::thermal_expansion, "is missing, must be a number > 0: temperatures strain the plate by it");
   if (!problem.section.uniform())
     refuse(Subject::section, "temperatures are of plates of one material and one thickness all over");
+  constexpr auto varies = "temperatures that vary over the plate are of an isotropic material: give a value";
   for (std::size_t i = 0; i < problem.loads.size() && !problem.section.isotropic(); ++i)
-    if (problem.loads[i].as<Temperature>() && problem.loads[i].formula().given())
-      refuse(Subject::load_expression,
-             "temperatures that vary over the plate are of an isotropic material: give a value", i);
+    if (const auto* heat = problem.loads[i].as<Temperature>()) {
+      if (heat->formula.given()) refuse(Subject::load_expression, varies, i);
+      if (heat->mean_formula.given()) refuse(Subject::load_mean, varies, i);
+    }
   const auto& d = problem.discretization;
   const bool of_bonds = d.formulation && d.formulation->offers(Feature::horizon);
   if (of_bonds && d.boundary != EdgeMethod::images)

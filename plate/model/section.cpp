@@ -53,20 +53,33 @@ void set_orthotropic(LocalSection& l, const Section& s) {
   l.top = stress_by_moment(s) * l.bending;
 }
 
+/// Integral of 1 (membrane), z (coupling) or z^2 (bending) over a ply from `z` upwards.
+double integral(PlateLaw law, double z, double thickness) {
+  const double end = z + thickness;
+  switch (law) {
+    case PlateLaw::membrane:
+      return thickness;
+    case PlateLaw::coupling:
+      return thickness * (end + z) / 2;
+    case PlateLaw::bending:
+      break;
+  }
+  return (std::pow(end, 3) - std::pow(z, 3)) / 3;
+}
+
 /// Integrals over the plies, whose middle plane is that of the plate.
 void set_plies(LocalSection& l, const Section& s) {
   l.mass = l.rotary = 0;
-  const bool membrane = s.law == PlateLaw::membrane;
+  const bool bends = s.law == PlateLaw::bending;
   double z = -s.thickness / 2;
   for (const auto& ply : s.plies) {
-    const double end = z + ply.thickness, third = (std::pow(end, 3) - std::pow(z, 3)) / 3;
     const double density = ply.density.value_or(s.density);
-    l.bending += (membrane ? ply.thickness : third) * plane_stress(ply);
-    if (!membrane) l.shear += s.shear_correction * ply.thickness * transverse_shear(ply);
-    l.mass += density * ply.thickness, l.rotary += density * third;
-    z = end;
+    l.bending += integral(s.law, z, ply.thickness) * plane_stress(ply);
+    if (bends) l.shear += s.shear_correction * ply.thickness * transverse_shear(ply);
+    l.mass += density * ply.thickness, l.rotary += density * integral(PlateLaw::bending, z, ply.thickness);
+    z += ply.thickness;
   }
-  l.top = (membrane ? 1 : s.thickness / 2) * plane_stress(s.plies.back());
+  l.top = (bends ? s.thickness / 2 : 1) * plane_stress(s.plies.back());
 }
 
 }  // namespace
@@ -74,10 +87,12 @@ void set_plies(LocalSection& l, const Section& s) {
 LocalSection::LocalSection(const Section& s) : thickness(s.thickness) {
   const double h = s.thickness;
   mass = s.density * h, rotary = s.density * h * h * h / 12;
-  if (s.isotropic())
-    set_isotropic(*this, s);
-  else if (!s.plies.empty())
+  if (!s.plies.empty())
     set_plies(*this, s);
+  else if (s.law == PlateLaw::coupling)
+    return;  // of one material: none
+  else if (s.isotropic())
+    set_isotropic(*this, s);
   else
     set_orthotropic(*this, s);
 }
@@ -107,6 +122,21 @@ double Section::uniform_within(const Point& x) const {
   double result = INFINITY;
   for (const auto& region : regions) result = std::min(result, distance_to_boundary(region.shape, x));
   return result;
+}
+
+bool Section::couples() const {
+  constexpr double rounding = 1e-9;
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero(), B = A;
+  double mass = 0, first = 0;  // integrals of rho and rho z
+  double z = -thickness / 2;
+  for (const auto& ply : plies) {
+    const double along_z = integral(PlateLaw::coupling, z, ply.thickness), rho = ply.density.value_or(density);
+    A += ply.thickness * plane_stress(ply), B += along_z * plane_stress(ply);
+    mass += rho * ply.thickness, first += rho * along_z;
+    z += ply.thickness;
+  }
+  return B.cwiseAbs().maxCoeff() > rounding * thickness * A.cwiseAbs().maxCoeff() ||
+         std::abs(first) > rounding * thickness * mass;
 }
 
 void Section::thicken(double factor) {

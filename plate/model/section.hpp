@@ -33,8 +33,9 @@ struct SectionRegion {
 };
 
 /// Meaning of the rotations of a plate. In the plane they are the displacements u = theta_y and v = -theta_x, the
-/// moments are the membrane forces, and there is no shear: the bending law with E h in place of E h^3 / 12.
-enum class PlateLaw { bending, membrane };
+/// moments are the membrane forces, and there is no shear: the bending law with E h in place of E h^3 / 12. Coupling:
+/// the moments by the strains in the plane, as of plies that are not symmetric.
+enum class PlateLaw { bending, membrane, coupling };
 
 /// Material and thickness of the plate.
 struct Section {
@@ -56,6 +57,8 @@ struct Section {
   /// True for a material without directions.
   bool isotropic() const { return !orthotropic && plies.empty(); }
   bool simple() const { return uniform() && isotropic(); }
+  /// True where bending and stretching act on each other: plies whose stiffness or mass is not symmetric about z = 0.
+  bool couples() const;
 
   /// The section at a place, the same everywhere.
   Section at(const geometry::Point& x) const;
@@ -77,7 +80,8 @@ struct Section {
   double shear_wave_speed() const;
 };
 
-/// Stiffness and mass of a plate at one place; of a membrane forces by strains in place of moments by curvatures.
+/// Stiffness and mass of a plate at one place; of a membrane forces by strains in place of moments by curvatures (A in
+/// place of D), of the coupling moments by strains (B).
 struct LocalSection {
   Eigen::Matrix3d bending = Eigen::Matrix3d::Zero();  // Mxx, Myy, Mxy by kappa xx, yy, 2 xy [force length]
   Eigen::Matrix2d shear = Eigen::Matrix2d::Zero();    // Qx, Qy by the shear angles [force/length]

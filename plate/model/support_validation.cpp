@@ -57,7 +57,10 @@ void check_stiffener(const Problem& problem, std::size_t number, std::vector<Ref
   const int places = !beam.edges.empty() + !beam.along.empty();
   if (places != 1)
     errors.push_back(fmt::format("{} given, must be one of edges and along", places == 0 ? "none" : "both"));
-  if (beam.bending + beam.torsion <= 0) errors.push_back("stiffens nothing: give bending or torsion > 0");
+  if (beam.bending + beam.torsion + beam.axial <= 0)
+    errors.push_back("stiffens nothing: give bending, torsion or axial > 0");
+  if (beam.eccentricity != 0 && beam.axial <= 0)
+    errors.push_back("eccentricity acts by the axial stiffness: give axial > 0");
   if (beam.shear && beam.bending <= 0) errors.push_back("shear is of a beam with bending > 0: remove it");
   if (!errors.empty()) found.push_back({Subject::stiffener, number, fmt::format("{}", fmt::join(errors, "; "))});
   for (std::size_t i = 0; i < problem.supports.size(); ++i)
@@ -100,6 +103,11 @@ std::string not_held(const Settlement& load, const Support& support) {
   if (support.holds_nothing()) return "holds nothing that could move";
   if (support.kind == SupportKind::symmetry && (load.value != 0 || !load.slope.isZero(0)))
     return "is a mirror plane, which holds no deflection: give a rotation alone";
+  if (support.kind == SupportKind::hub && support.k_w) return "holds w by a spring, whose far end rests: remove k_w";
+  if (support.kind == SupportKind::hub && support.k_phi && !load.slope.isZero(0))
+    return "lets its hub turn: give no slope, or remove k_phi";
+  if (support.kind == SupportKind::hub && load.rotation != 0)
+    return "has no edges that could turn about themselves: give a slope";
   if (load.rotation != 0 && support.edges.empty()) return "has no edges that could turn about themselves: give a slope";
   if (load.rotation != 0 && !clamps(support.kind) && support.kind != SupportKind::symmetry)
     return "lets its edges turn about themselves: a rotation of them does nothing";
@@ -201,7 +209,8 @@ Kept kept(const Problem& problem, std::size_t number, const Place& at, const Tog
   const auto add = [&](const Point& d) { result.slopes.emplace_back(d, d.dot(psi)); };
   const bool hard = support.kind == simply_supported_hard || support.kind == simply_supported_hard_layer;
   if (support.kind != symmetry && !support.holds_nothing()) result.w = body[0];
-  if (clamps(support.kind)) add({1, 0}), add({0, 1});
+  const bool rigid = support.kind == hub && !support.k_phi;
+  if (clamps(support.kind) || rigid) add({1, 0}), add({0, 1});
   if (hard) add({-at.normal.y(), at.normal.x()});
   if (support.kind == symmetry) add(at.normal);
   return result;
@@ -270,6 +279,22 @@ std::vector<Together> together(const Problem& problem) {
 }
 
 }  // namespace
+
+std::vector<std::string> warnings_about_held_holes(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const auto& hole : problem.outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      for (const auto& support : problem.supports)
+        if ((support.kind == SupportKind::simply_supported || support.kind == SupportKind::simply_supported_hard) &&
+            std::ranges::find(support.edges, circle->name) != support.edges.end())
+          names.push_back(circle->name);
+  if (names.empty()) return {};
+  const auto more = names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : std::string();
+  return {fmt::format(
+      "{}{}: simply_supported all round hinders the rim's turn; for fixings that turn set kind = \"hub\" and "
+      "k_phi = 0",
+      names.front(), more)};
+}
 
 std::vector<Refusal> errors_in_settlements(const Problem& problem) {
   std::vector<Refusal> found;

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "plate/model/errors.hpp"
@@ -10,6 +11,9 @@ struct Problem;
 /// Springs that are nowhere or at several places at once, that resist nothing, that resist what their place does not
 /// have or what a support of the same edge holds; foundations and springs beside edges that no images stand for.
 std::vector<Refusal> errors_in_springs(const Problem& problem);
+
+/// Warns of round holes that are simply supported all round, which all but clamps them.
+std::vector<std::string> warnings_about_held_holes(const Problem& problem);
 
 /// Settlements of supports that there are not, that hold nothing of what is moved, or that meet others which hold the
 /// same place elsewhere; settlements beside nodes at edges.

@@ -25,6 +25,7 @@ Held held_by(SupportKind kind) {
   switch (kind) {
     case clamped:
     case clamped_layer:
+    case hub:
       return {true, true, true};
     case simply_supported:
     case simply_supported_layer:

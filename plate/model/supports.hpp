@@ -19,14 +19,15 @@ enum class SupportKind {
   simply_supported_layer,       // Dai et al.: w = 0 in that layer
   simply_supported_hard_layer,  // w = psi_s = 0 in that layer
   pinned,                       // w = 0 at single points, along lines or on parts of the plate
-  in_plane                      // nothing but what InPlane says
+  in_plane,                     // nothing but what InPlane says
+  hub                           // a rigid disc whose centre is held: in a hole, or on a part of the plate
 };
 
 /// Displacements that a support holds in the plane: none, both, or that along the normal or along the edge.
 enum class InPlane { free, fixed, normal, tangential };
 
 /// A support of named edges; or within the plate, pinned (w) or clamped (w and rotations), of single points, of a line
-/// or of a part. One of the four is given.
+/// or of a part. One of the four is given. A hub is of round holes, each of them a disc, or of one circle of the plate.
 struct Support {
   SupportKind kind = SupportKind::free;
   std::vector<std::string> edges;
@@ -34,6 +35,8 @@ struct Support {
   geometry::Polyline along = {};
   std::optional<geometry::Hole> patch = {};
   std::optional<InPlane> in_plane = {};
+  std::optional<double> k_w = {};    // of a hub against w of its centre [force/length]; absent: rigid
+  std::optional<double> k_phi = {};  // of a hub against its turn [force length/rad]; absent: it does not turn
 
   /// Displacements that it holds in the plane: without a word a symmetry the normal displacement, the kind in_plane
   /// both, others none.
@@ -81,15 +84,22 @@ struct Spring {
   std::optional<geometry::Point> position;
 };
 
-/// A beam in the middle plane along edges or a line, tied to the plate's deflection and rotations: it bends and twists
-/// with the plate, and takes no force along itself.
+/// A beam along edges or a line, tied to the plate's deflection and rotations, and with an axial stiffness to its
+/// displacements in the plane: it bends, twists and stretches with the plate.
 struct Stiffener {
   double bending = 0;           // EI [force length^2]
   double torsion = 0;           // GJ [force length^2]
   std::optional<double> shear;  // k G A [force]; without it the beam's slope is the plate's (Bernoulli)
   double mass = 0;              // rho A [mass/length]
+  double axial = 0;             // EA [force]
+  double eccentricity = 0;      // z of its axis [length]
   std::vector<std::string> edges;
   geometry::Polyline along;
+
+  /// True where it acts in the plane.
+  bool stretches() const { return axial > 0; }
+  /// True where it bends as it is pulled.
+  bool eccentric() const { return stretches() && eccentricity != 0; }
 };
 
 }  // namespace plate

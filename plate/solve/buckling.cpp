@@ -6,6 +6,7 @@
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
@@ -113,7 +114,11 @@ PointMatrix prestress(const Formulation& membrane) {
   const auto found = solve_static(membrane, membrane.total_load(), StaticMethod::cg, Preconditioning::automatic,
                                   {tolerance, iterations, {}});
   if (!found.solution.converged) throw NumericalError("in the plane: " + found.solution.stop_reason);
-  return membrane.stretching()->geometric_stiffness(found.solution.state);
+  const auto stretching = membrane.stretching();
+  auto result = stretching->geometric_stiffness(found.solution.state);
+  if (const auto heat = heat_of(membrane, 1); !heat.none())
+    add(stretching->stiffness_of_heat(heat.curvature), 1, result);
+  return result;
 }
 
 FrequencySolution frequencies_under_load(const Formulation& membrane, const Formulation& plate, const Forces& mass,

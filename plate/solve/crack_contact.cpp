@@ -1,13 +1,12 @@
 #include "plate/solve/crack_contact.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/sections.hpp"
-#include "plate/model/errors.hpp"
+#include "plate/solve/complementarity.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 
@@ -19,8 +18,9 @@ double largest_motion(const State& state) {
   return state.bottomRows(2).colwise().norm().maxCoeff();
 }
 
-/// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
-Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, const AssembledPlate& plate, std::size_t points) {
+}  // namespace
+
+Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, std::size_t points, const Solutions& solutions) {
   constexpr std::size_t at_once = 32;  // as many states are held
   const auto count = pairs.size();
   Eigen::MatrixXd result(count, count);
@@ -28,7 +28,7 @@ Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, const AssembledPl
     std::vector<Forces> loads;
     for (auto i = first; i < std::min(count, first + at_once); ++i)
       pairs[i].press(1, loads.emplace_back(zero_forces(points)));
-    const auto states = plate.solve(loads);
+    const auto states = solutions(loads);
     for (std::size_t i = 0; i < states.size(); ++i)
       for (std::size_t j = 0; j < count; ++j)
         result(Eigen::Index(j), Eigen::Index(first + i)) = pairs[j].opening(states[i]);
@@ -36,72 +36,12 @@ Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, const AssembledPl
   return (result + result.transpose()) / 2;
 }
 
-/// Solution x >= 0 of C x + c >= 0 with x (C x + c) = 0, of a positive C, by block principal pivoting with single
-/// pivots where blocks do not end (Judice and Pires 1994).
-struct Complementarity {
-  Eigen::VectorXd x, rest;  // rest: C x + c
-  std::size_t iterations = 0;
-
-  Complementarity(const Eigen::MatrixXd& C, const Eigen::VectorXd& c)
-      : x(Eigen::VectorXd::Zero(c.size())), rest(c), pressed_(std::size_t(c.size()), 0) {
-    constexpr int tries = 5;
-    const std::size_t most = 100 * pressed_.size() + 100;
-    std::size_t fewest = pressed_.size() + 1;
-    for (int left = tries;; ++iterations) {
-      const auto wrong = wrong_ones(C.diagonal(), c);
-      if (wrong.empty()) return;
-      if (iterations == most)
-        throw NumericalError(
-            "contact of crack faces: the search for what touches does not end: take a finer spacing, or remove "
-            "`contact`");
-      if (wrong.size() < fewest)
-        fewest = wrong.size(), left = tries;
-      else
-        --left;
-      if (left > 0)
-        for (const auto i : wrong) pressed_[i] = !pressed_[i];
-      else
-        pressed_[wrong.back()] = !pressed_[wrong.back()];
-      solve(C, c);
-    }
-  }
-
-private:
-  /// Finds those that are pulled, or overlap without being pressed.
-  std::vector<std::size_t> wrong_ones(const Eigen::VectorXd& compliances, const Eigen::VectorXd& c) const {
-    constexpr double rounding = 1e-10;
-    const double length = rounding * c.cwiseAbs().maxCoeff();
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < pressed_.size(); ++i) {
-      const auto k = Eigen::Index(i);
-      if (pressed_[i] ? x[k] * compliances[k] < -length : rest[k] < -length) result.push_back(i);
-    }
-    return result;
-  }
-
-  void solve(const Eigen::MatrixXd& C, const Eigen::VectorXd& c) {
-    std::vector<Eigen::Index> active;
-    for (std::size_t i = 0; i < pressed_.size(); ++i)
-      if (pressed_[i]) active.push_back(Eigen::Index(i));
-    x.setZero();
-    if (!active.empty()) {
-      const Eigen::MatrixXd of_active = C(active, active);
-      const Eigen::LLT<Eigen::MatrixXd> factor(of_active);
-      if (factor.info() != Eigen::Success)
-        throw NumericalError(
-            "contact of crack faces: openings do not follow from the forces on them: take a finer spacing, or remove "
-            "`contact`");
-      const Eigen::VectorXd forces = factor.solve(-c(active));
-      x(active) = forces;
-    }
-    rest = C * x + c;
-    for (const auto i : active) rest[i] = 0;
-  }
-
-  std::vector<char> pressed_;
-};
-
-}  // namespace
+double lift_compliance(Eigen::MatrixXd& compliance) {
+  constexpr double none = 1e-10;
+  const double result = none * compliance.diagonal().maxCoeff();
+  compliance.diagonal().array() += result;
+  return result;
+}
 
 std::vector<FacePair> Formulation::face_pairs() const {
   return {};
@@ -138,56 +78,104 @@ double TouchingFaces::closed_share() const {
   return faces.empty() ? 0 : closed / length();
 }
 
-TouchingFaces touching_faces(const Formulation& plate, const Formulation& membrane, const FreeFaces& free) {
-  const auto pairs = plate.face_pairs();
-  const auto count = Eigen::Index(pairs.size());
-  if (count == 0) return {zero_like(free.bending), zero_like(free.membrane), {}};
-  const auto in_plane = pinned(membrane);
-  const AssembledPlate bent(plate, plate.constraints(), plate.stiffness());
-  const AssembledPlate flat(membrane, in_plane, membrane.stiffness());
-  const auto of_bending = compliance(pairs, bent, plate.points());
-  const auto of_plane = compliance(pairs, flat, plate.points());
+double lever_of(const FacePair& pair, const PointSections& sections) {
+  return std::min(sections[pair.left].thickness, sections[pair.right].thickness) / 2;
+}
 
-  Eigen::VectorXd arm(count), openings(2 * count);  // top first
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto& pair = pairs[std::size_t(i)];
-    arm[i] = std::min(plate.sections()[pair.left].thickness, plate.sections()[pair.right].thickness) / 2;
-    const double slope = arm[i] * pair.opening(free.bending), middle = pair.opening(free.membrane);
-    openings[i] = middle + slope, openings[count + i] = middle - slope;
+FaceRows::FaceRows(const Formulation& plate)
+    : plate_(plate), pairs_(plate.face_pairs()), arms_(Eigen::Index(pairs_.size())) {
+  for (Eigen::Index i = 0; i < arms_.size(); ++i) {
+    arms_[i] = lever_of(pairs_[std::size_t(i)], plate.sections());
   }
+}
+
+Eigen::VectorXd FaceRows::openings(const State& bending, const State& membrane) const {
+  const auto count = arms_.size();
+  Eigen::VectorXd result(2 * count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& pair = pairs_[std::size_t(i)];
+    const double slope = arms_[i] * pair.opening(bending), middle = pair.opening(membrane);
+    result[i] = middle + slope, result[count + i] = middle - slope;
+  }
+  return result;
+}
+
+void FaceRows::press(const Eigen::VectorXd& forces, Forces& on_bending, Forces& on_membrane) const {
+  constexpr double even = 1e-9, rounding = 1e-12;  // of the forces of a pair; of the largest
+  const double most = forces.cwiseAbs().maxCoeff();
+  const auto count = arms_.size();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& pair = pairs_[std::size_t(i)];
+    const double top = forces[i], bottom = forces[count + i];
+    pair.press(top + bottom, on_membrane);
+    const double couple = std::abs(top - bottom), both = std::abs(top) + std::abs(bottom);
+    if (couple > even * both && couple > rounding * most) pair.press(arms_[i] * (top - bottom), on_bending);
+  }
+}
+
+double FaceRows::error_of_openings(const State& bending, const State& membrane) const {
+  constexpr double share = 1e-8;  // of the largest motion: errors of equilibria
+  return share * (largest_motion(membrane) + arms_.maxCoeff() * largest_motion(bending));
+}
+
+std::vector<FaceContact> FaceRows::contacts(const Eigen::VectorXd& openings, const Eigen::VectorXd& forces) const {
+  const auto count = arms_.size();
+  std::vector<FaceContact> result;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& pair = pairs_[std::size_t(i)];
+    result.push_back({.position = plate_.cloud().positions[pair.left],
+                      .length = pair.length,
+                      .opening_top = openings[i],
+                      .opening_bottom = openings[count + i],
+                      .force_top = forces[i] / pair.length,
+                      .force_bottom = forces[count + i] / pair.length});
+  }
+  return result;
+}
+
+ContactOfFaces::ContactOfFaces(const Formulation& plate, const Formulation& membrane) : plate_(plate), rows_(plate) {
+  if (rows_.pairs().empty()) return;
+  in_plane_ = pinned(membrane);
+  bent_ = std::make_unique<AssembledPlate>(plate, plate.constraints(), plate.stiffness());
+  flat_ = std::make_unique<AssembledPlate>(membrane, in_plane_, membrane.stiffness());
+  const auto compliance_of = [&](const AssembledPlate& one) {
+    return compliance(rows_.pairs(), plate.points(), [&](const auto& loads) { return one.solve(loads); });
+  };
+  const Eigen::MatrixXd of_bending = compliance_of(*bent_), of_plane = compliance_of(*flat_);
+  const auto& arm = rows_.arms();
   const Eigen::MatrixXd turned = arm.asDiagonal() * of_bending * arm.asDiagonal();
-  Eigen::MatrixXd both(2 * count, 2 * count);
-  both << of_plane + turned, of_plane - turned, of_plane - turned, of_plane + turned;
-  // what supports hold has no compliance: faces that cannot turn, or cannot move, share a force evenly
-  constexpr double no_compliance = 1e-10;
-  both.diagonal().array() += no_compliance * both.diagonal().maxCoeff();
-  constexpr double no_opening = 1e-8;  // of the largest motion: errors of the free equilibria
-  const double motion = largest_motion(free.membrane) + arm.maxCoeff() * largest_motion(free.bending);
-  openings = (openings.array().abs() > no_opening * motion).select(openings, 0);
-  const Complementarity found(both, openings);
+  compliance_.resize(2 * arm.size(), 2 * arm.size());
+  compliance_ << of_plane + turned, of_plane - turned, of_plane - turned, of_plane + turned;
+  lift_compliance(compliance_);
+}
+
+ContactOfFaces::~ContactOfFaces() = default;
+
+std::size_t ContactOfFaces::bytes() const {
+  return bent_ ? bent_->bytes() + flat_->bytes() : 0;
+}
+
+TouchingFaces ContactOfFaces::operator()(const FreeFaces& free) const {
+  if (rows_.pairs().empty()) return {zero_like(free.bending), zero_like(free.membrane), {}};
+  Eigen::VectorXd openings = rows_.openings(free.bending, free.membrane);
+  const double error = rows_.error_of_openings(free.bending, free.membrane);
+  openings = (openings.array().abs() > error).select(openings, 0);
+  const Complementarity found(compliance_, openings);
 
   TouchingFaces result;
-  result.factor_bytes = bent.bytes() + flat.bytes();
-  constexpr double rounding = 1e-9;  // faces that are pressed evenly do not bend the plate
-  const double most = found.x.maxCoeff();
-  Forces on_bending = zero_forces(plate.points()), on_plane = zero_forces(plate.points());
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto& pair = pairs[std::size_t(i)];
-    const double top = found.x[i], bottom = found.x[count + i];
-    pair.press(top + bottom, on_plane);
-    if (std::abs(top - bottom) > rounding * most) pair.press(arm[i] * (top - bottom), on_bending);
-    result.faces.push_back({.position = plate.cloud().positions[pair.left],
-                            .length = pair.length,
-                            .opening_top = found.rest[i],
-                            .opening_bottom = found.rest[count + i],
-                            .force_top = top / pair.length,
-                            .force_bottom = bottom / pair.length});
-  }
-  result.bending = bent.solve({on_bending}).front();
-  plate.constraints().impose(result.bending);
-  result.membrane = flat.solve({on_plane}).front();
-  in_plane.impose(result.membrane);
+  result.factor_bytes = bytes();
+  result.faces = rows_.contacts(found.rest, found.x);
+  Forces on_bending = zero_forces(plate_.points()), on_plane = zero_forces(plate_.points());
+  rows_.press(found.x, on_bending, on_plane);
+  result.bending = bent_->solve({on_bending}).front();
+  plate_.constraints().impose(result.bending);
+  result.membrane = flat_->solve({on_plane}).front();
+  in_plane_.impose(result.membrane);
   return result;
+}
+
+TouchingFaces touching_faces(const Formulation& plate, const Formulation& membrane, const FreeFaces& free) {
+  return ContactOfFaces(plate, membrane)(free);
 }
 
 }  // namespace plate

@@ -1,10 +1,15 @@
 #pragma once
+#include <functional>
+#include <memory>
 #include <vector>
 
+#include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
+
+class AssembledPlate;
 
 /// Opening and contact force of two points that face each other on a crack. Top is z = h/2.
 struct FaceContact {
@@ -29,15 +34,74 @@ struct TouchingFaces {
   double closed_share() const;  // of the length of the cracks, at one face of the plate or at both
 };
 
+/// Lever of the forces at the faces of the plate about its middle plane: half the thickness, where two thicknesses meet
+/// half the smaller one [length].
+double lever_of(const FacePair& pair, const PointSections& sections);
+
 /// Equilibria of a plate and of the same plate in its plane without contact.
 struct FreeFaces {
   const State &bending, &membrane;
 };
 
-/// Finds where faces of cracks touch. They stay straight through the thickness, so that their opening at z = -h/2 and
-/// h/2 is that of the plane less and plus h/2 times that of the rotations. Both openings and the forces that press
-/// there are not negative, and one of them is zero (theory.md, "Faces that touch"). `free`: equilibria
-/// without contact.
+/// Pairs of points on the faces of cracks at both faces of the plate. Rows: all pairs at z = h/2, then at z = -h/2.
+class FaceRows {
+public:
+  /// `plate` must outlive this.
+  explicit FaceRows(const Formulation& plate);
+
+  const std::vector<FacePair>& pairs() const { return pairs_; }
+  const Eigen::VectorXd& arms() const { return arms_; }  // h/2 at the pairs [length]
+  /// Openings of all rows [length].
+  Eigen::VectorXd openings(const State& bending, const State& membrane) const;
+  /// Adds the nodal forces of forces that press the rows apart. Pairs that are pressed evenly do not bend the plate.
+  void press(const Eigen::VectorXd& forces, Forces& on_bending, Forces& on_membrane) const;
+  /// Size of an opening that is none but for the errors of an equilibrium [length].
+  double error_of_openings(const State& bending, const State& membrane) const;
+  std::vector<FaceContact> contacts(const Eigen::VectorXd& openings, const Eigen::VectorXd& forces) const;
+
+private:
+  const Formulation& plate_;
+  std::vector<FacePair> pairs_;
+  Eigen::VectorXd arms_;
+};
+
+/// States under several loads.
+using Solutions = std::function<std::vector<State>(const std::vector<Forces>& loads)>;
+
+/// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
+Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, std::size_t points, const Solutions& solutions);
+
+/// Gives what supports hold a compliance of rounding, which is returned: faces that cannot turn, or cannot move, share
+/// a force evenly.
+double lift_compliance(Eigen::MatrixXd& compliance);
+
+/// Contact of the faces of cracks of a linear plate. The factors and the compliance of the faces are found once, for
+/// all loads.
+class ContactOfFaces {
+public:
+  /// Both must outlive this.
+  /// @throws NumericalError  where a factor of the stiffness fails
+  ContactOfFaces(const Formulation& plate, const Formulation& membrane);
+  ~ContactOfFaces();
+
+  /// Finds where faces of cracks touch. They stay straight through the thickness, so that their opening at z = -h/2
+  /// and h/2 is that of the plane less and plus h/2 times that of the rotations. Both openings and the forces that
+  /// press there are not negative, and one of them is zero (theory.md, "Faces that touch"). `free`: equilibria without
+  /// contact.
+  /// @throws NumericalError  where the search for what touches fails
+  TouchingFaces operator()(const FreeFaces& free) const;
+
+  std::size_t bytes() const;  // of the factors
+
+private:
+  const Formulation& plate_;
+  FaceRows rows_;
+  Constraints in_plane_;
+  std::unique_ptr<const AssembledPlate> bent_, flat_;  // null without cracks
+  Eigen::MatrixXd compliance_;                         // of the rows
+};
+
+/// Contact of faces under one load, as ContactOfFaces finds it.
 /// @throws NumericalError  where the factor of the stiffness, or the search for what touches, fails
 TouchingFaces touching_faces(const Formulation& plate, const Formulation& membrane, const FreeFaces& free);
 

@@ -26,6 +26,25 @@ Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces) {
   return result;
 }
 
+std::vector<State> solutions(const Factor& factor, const Unknowns& unknowns, const Constraints& constraints,
+                             const std::vector<Forces>& loads) {
+  Eigen::MatrixXd right(unknowns.size(), Eigen::Index(loads.size()));
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    Forces folded = loads[i];
+    constraints.fold(folded);
+    right.col(Eigen::Index(i)) = gathered(unknowns, folded);
+  }
+  const Eigen::MatrixXd solution = factor.solve(right);
+  std::vector<State> result(loads.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    result[i].setZero(loads[i].rows(), loads[i].cols());
+    for (Eigen::Index u = 0; u < solution.rows(); ++u)
+      at_dof(result[i], unknowns.dof[std::size_t(u)]) = solution(u, Eigen::Index(i));
+    constraints.impose(result[i]);
+  }
+  return result;
+}
+
 Forces folded_diagonal(const Operator& plate, const Constraints& constraints) {
   Forces diagonal = plate.diagonal();
   constraints.fold_diagonal(diagonal);
@@ -47,21 +66,7 @@ void AssembledPlate::apply(const Forces& residual, State& result) const {
 }
 
 std::vector<State> AssembledPlate::solve(const std::vector<Forces>& loads) const {
-  Eigen::MatrixXd right(unknowns_.size(), Eigen::Index(loads.size()));
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    Forces folded = loads[i];
-    constraints_.fold(folded);
-    right.col(Eigen::Index(i)) = gathered(unknowns_, folded);
-  }
-  const Eigen::MatrixXd solution = factor_->solve(right);
-  std::vector<State> result(loads.size());
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    result[i].setZero(loads[i].rows(), loads[i].cols());
-    for (Eigen::Index u = 0; u < solution.rows(); ++u)
-      at_dof(result[i], unknowns_.dof[std::size_t(u)]) = solution(u, Eigen::Index(i));
-    constraints_.impose(result[i]);
-  }
-  return result;
+  return solutions(*factor_, unknowns_, constraints_, loads);
 }
 
 namespace {

@@ -36,6 +36,10 @@ std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix);
 /// The unknowns of nodal forces, one after the other.
 Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);
 
+/// The states of several loads by the factor of the unknowns, with constraints imposed.
+std::vector<State> solutions(const Factor& factor, const Unknowns& unknowns, const Constraints& constraints,
+                             const std::vector<Forces>& loads);
+
 /// The diagonal of P^T K P, zero at held degrees of freedom.
 Forces folded_diagonal(const Operator& plate, const Constraints& constraints);
 

@@ -9,9 +9,12 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/pieces.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
+#include "plate/solve/stretched_contact.hpp"
 
 namespace plate {
 namespace {
@@ -101,21 +104,33 @@ Forces free_diagonal(const PointMatrix& matrix, const Constraints& constraints) 
   return result;
 }
 
-/// Adds a matrix of the first points of another to it, which has room for its blocks.
-void add(const PointMatrix& matrix, PointMatrix& sum) {
+/// The sum of a matrix and one of its first points.
+PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
+  const auto each_row = [](const PointMatrix& matrix, std::size_t k, const auto& visit) {
+    if (k >= matrix.points()) return;
+    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) visit(b);
+  };
+  auto result = zeros(of_all.points(), [&](Column& column, std::uint32_t k) {
+    for (const auto* matrix : {&of_first, &of_all})
+      each_row(*matrix, k, [&](std::size_t b) { column.couple(matrix->row[b]); });
+  });
 #pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < matrix.points(); ++k) {
-    auto at = sum.first[k];
-    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
-      while (sum.row[at] != matrix.row[b]) ++at;
-      sum.block[at] += matrix.block[b];
+  for (std::size_t k = 0; k < result.points(); ++k)
+    for (const auto* matrix : {&of_first, &of_all}) {
+      auto at = result.first[k];
+      each_row(*matrix, k, [&](std::size_t b) {
+        while (result.row[at] != matrix->row[b]) ++at;
+        result.block[at] += matrix->block[b];
+      });
     }
-  }
+  return result;
 }
 
-/// Work of loads that stay on the displacements of the plate and of its plane.
-double work_of(const PlateLoads& loads, const State& bending, const State& membrane) {
-  return loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
+/// Displacement of the loads of a plate and of its plane: minus their potential, by their factor. The heat's is not
+/// linear in the deflections.
+double displacement_of(const PlateLoads& loads, const State& bending, const State& membrane) {
+  const double linear = loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
+  return loads.heat.points() == 0 ? linear : linear - bending.cwiseProduct(product(loads.heat, bending)).sum() / 2;
 }
 
 /// The solution of a factor for folded forces.
@@ -172,6 +187,10 @@ State MiddlePlane::displacements(const State& bending, const Forces& load) const
   return result;
 }
 
+std::vector<State> MiddlePlane::solve(const std::vector<Forces>& loads) const {
+  return solutions(*factor_, unknowns_, constraints_, loads);
+}
+
 namespace {
 
 /// The positive root of a s + b s^3 = 1, b >= 0; infinite where there is none.
@@ -192,22 +211,27 @@ double scale_of_least_energy(double a, double b) {
 
 }  // namespace
 
+PointMatrix stiffness_of_heat(const Formulation& membrane, const Heat& heat) {
+  return heat.none() ? PointMatrix() : membrane.stretching()->stiffness_of_heat(heat.curvature);
+}
+
 double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
-                         const Forces& in_plane) {
+                         const PlateLoads& loads) {
   const double bent = plate.strain_energy(bending);
   if (!(bent > 0)) return 0;
   const MiddlePlane plane(membrane);
   const State displacements = plane.displacements(bending, zero_like(bending));
   const double stretched = plane.stretching().energies(bending, displacements).sum();
-  const double by_load = -in_plane.cwiseProduct(displacements).sum();
+  const double by_load = -displacement_of({zero_like(bending), loads.in_plane, loads.heat}, bending, displacements);
   return 1 / scale_of_least_energy(1 + by_load / bent, 2 * stretched / bent) - 1;
 }
 
 /// A state with its membrane in equilibrium, under a share of the loads.
 struct StretchedPlate::Now {
   State bending, membrane;
-  Forces on_bending;  // of the stretched middle plane
-  Forces left;        // of all forces on the plate, folded
+  Forces on_bending;              // of the stretched middle plane
+  Forces left;                    // of all forces on the plate, folded
+  Eigen::VectorXd on_faces = {};  // contact forces on the rows of StretchedContact; empty where none may touch
   double bending_energy = 0, membrane_energy = 0, potential = 0, residual = 0;
 
   double energy() const { return bending_energy + membrane_energy + potential; }
@@ -226,6 +250,9 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
   std::vector<int> both;
   for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
   unknowns_ = unknowns(stacked(diagonal_, plane_.diagonal()), both);
+  if (!plate.problem().faces_touch()) return;
+  contact_ = std::make_unique<StretchedContact>(plate, plane_);
+  if (contact_->rows().pairs().empty()) contact_.reset();
 }
 
 StretchedPlate::~StretchedPlate() = default;
@@ -234,16 +261,21 @@ double StretchedPlate::norm(const Forces& forces) const {
   return std::sqrt((forces.array().square() * weight_.array()).sum());
 }
 
-StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& bending, double factor) const {
+/// `on_faces`: an estimate of the contact forces.
+StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& bending, double factor,
+                                       const Eigen::VectorXd& on_faces) const {
   Now now{bending, plane_.displacements(bending, factor * loads.in_plane), {}, {}};
+  if (contact_) now.on_faces = contact_->part(now.bending, now.membrane, on_faces);
   Forces on_membrane;
   plane_.stretching().internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
+  if (loads.heat.points() > 0) now.on_bending -= factor * product(loads.heat, now.bending);
   plate_.internal_force(now.bending, now.left);
   now.left += now.on_bending + factor * loads.across;
+  if (contact_) contact_->rows().press(now.on_faces, now.left, on_membrane);
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
   now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
-  now.potential = -factor * work_of(loads, now.bending, now.membrane);
+  now.potential = -factor * displacement_of(loads, now.bending, now.membrane);
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
     throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
@@ -251,10 +283,11 @@ StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& ben
 }
 
 /// The stiffness there, with the least share of its diagonal that makes it positive.
-std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) const {
+std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, const PlateLoads& loads, double factor,
+                                                double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
-  auto matrix = plane_.stretching().stiffness(now.bending, now.membrane);
-  add(bending_, matrix);
+  auto matrix = with_first(bending_, plane_.stretching().stiffness(now.bending, now.membrane));
+  if (loads.heat.points() > 0) add(loads.heat, factor, matrix);
   const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
       return std::make_unique<Factor>(lower, shift);
@@ -263,11 +296,55 @@ std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, double& shift) c
     }
 }
 
-/// The deflections that a force on the plate causes there, with the plane following.
-State StretchedPlate::direction(const Factor& tangent, const Forces& force) const {
-  State result = solution(tangent, unknowns_, force).leftCols(Eigen::Index(plate_.points()));
-  plate_.constraints().impose(result);
-  return result;
+/// A change of a plate: of its deflections, of the displacements in the plane that follow, and of the contact forces.
+struct StretchedPlate::Way {
+  State bending, membrane;
+  Eigen::VectorXd on_faces = {};
+};
+
+/// Adds what a change of the contact forces does to the plate and its plane.
+void StretchedPlate::add_contact(const Factor& tangent, const Eigen::VectorXd& change, State& both) const {
+  Forces on_bending = zero_forces(plate_.points()), on_plane = on_bending;
+  contact_->rows().press(change, on_bending, on_plane);
+  both += solutions(tangent, unknowns_, of_both_, {stacked(on_bending, on_plane)}).front();
+}
+
+/// Newton's step by a tangent; with contact the one of least energy without overlap.
+StretchedPlate::Way StretchedPlate::step(const Factor& tangent, const Now& now) const {
+  State both = solution(tangent, unknowns_, stacked(now.left, zero_like(now.left)));
+  if (!contact_) {
+    State bending = of_plate(both);
+    plate_.constraints().impose(bending);
+    return {std::move(bending), {}};
+  }
+  of_both_.impose(both);
+  const auto solve = [&](const auto& loads) { return solutions(tangent, unknowns_, of_both_, loads); };
+  const State bending = now.bending + of_plate(both), membrane = now.membrane + of_plane(both);
+  auto on_faces = contact_->forces({bending, membrane, now.on_faces, {}, {}}, solve);
+  add_contact(tangent, on_faces - now.on_faces, both);
+  return {of_plate(both), of_plane(both), std::move(on_faces)};
+}
+
+/// Change of an equilibrium by the load factor; with contact rows that are pressed stay closed.
+StretchedPlate::Way StretchedPlate::rate(const Factor& tangent, const Now& now, const PlateLoads& loads) const {
+  Forces all = stacked(loads.across, loads.in_plane);
+  of_both_.fold(all);
+  State both = solution(tangent, unknowns_, all);
+  of_both_.impose(both);
+  if (!contact_) return {of_plate(both), of_plane(both)};
+  const auto solve = [&](const auto& some) { return solutions(tangent, unknowns_, of_both_, some); };
+  const auto& rows = contact_->rows();
+  const auto openings = rows.openings(now.bending, now.membrane);
+  const double error = rows.error_of_openings(now.bending, now.membrane);
+  std::vector<char> pressed, open;
+  for (Eigen::Index i = 0; i < openings.size(); ++i) {
+    pressed.push_back(now.on_faces[i] > 0);
+    open.push_back(!pressed.back() && openings[i] > error);
+  }
+  const State bending = of_plate(both), membrane = of_plane(both);
+  auto on_faces = contact_->forces({bending, membrane, Eigen::VectorXd::Zero(openings.size()), pressed, open}, solve);
+  add_contact(tangent, on_faces, both);
+  return {of_plate(both), of_plane(both), std::move(on_faces)};
 }
 
 /// Newton's iteration at the load factor of a step, each way as far as it lowers the energy.
@@ -288,12 +365,12 @@ bool StretchedPlate::iterate(Now& now, const PlateLoads& loads, const LargeDefle
     if (step.residual <= options.tolerance) return true;
     if (step.iterations == most) return false;
     double shift = 0;
-    const auto inverse = tangent(now, shift);
+    const auto inverse = tangent(now, loads, step.factor, shift);
     step.snapped = step.snapped || shift > 0;
-    const State way = direction(*inverse, stacked(now.left, zero_like(now.left)));
+    const Way way = this->step(*inverse, now);
     double share = 1;
     for (int n = 0;; ++n, share /= 2) {
-      Now next = at(loads, now.bending + share * way, step.factor);
+      Now next = at(loads, now.bending + share * way.bending, step.factor, way.on_faces);
       const double room = rounding * (now.bending_energy + now.membrane_energy + std::abs(now.potential));
       if (next.energy() <= now.energy() + room || next.residual < now.residual / 2) {
         now = std::move(next);
@@ -309,7 +386,7 @@ struct StretchedPlate::Path {
   const PlateLoads* loads;
   Now now;
   double factor = 0, step = 1;  // of the loads
-  State rate;                   // of the deflections by the factor
+  Way rate;                     // by the factor
   double along = 0;             // of the displacement of the loads
   double work = 0;              // of the loads
   std::size_t bytes = 0;        // of the stiffness
@@ -319,25 +396,26 @@ struct StretchedPlate::Path {
 /// Finds how the plate goes on from where it is.
 void StretchedPlate::look_ahead(Path& path) const {
   double shift = 0;
-  const auto inverse = tangent(path.now, shift);
-  const auto& [across, in_plane] = *path.loads;
-  Forces all = stacked(across, in_plane);
-  of_both_.fold(all);
-  State rate = solution(*inverse, unknowns_, all);
-  of_both_.impose(rate);
-  path.rate = rate.leftCols(across.cols());
-  path.along = work_of(*path.loads, path.rate, rate.rightCols(across.cols()));
+  const auto& [across, in_plane, heat] = *path.loads;
+  const auto inverse = tangent(path.now, *path.loads, path.factor, shift);
+  PlateLoads by_factor{across, in_plane};
+  if (heat.points() > 0) by_factor.across -= product(heat, path.now.bending);
+  path.rate = rate(*inverse, path.now, by_factor);
+  path.along = displacement_of(by_factor, path.rate.bending, path.rate.membrane);
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
 /// Work of the loads from one equilibrium to the next, by Hermite's rule over the displacement of the loads: exact
-/// where they grow with its third power, as with the stretching of a plate.
+/// where they grow with its third power, as with the stretching of a plate. Where hardly anything moves the loads
+/// before, as heat does not until the plate buckles, the line of the end.
 double StretchedPlate::work_between(const Path& before, const Path& after) const {
-  const double moved = work_of(*after.loads, after.now.bending, after.now.membrane) -
-                       work_of(*after.loads, before.now.bending, before.now.membrane);
+  const double moved = displacement_of(*after.loads, after.now.bending, after.now.membrane) -
+                       displacement_of(*after.loads, before.now.bending, before.now.membrane);
   const double mean = moved * (before.factor + after.factor) / 2;
   if (!(before.along > 0) || !(after.along > 0)) return mean;
-  return mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
+  const double hermite = mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
+  const double least = before.factor * moved, most = after.factor * moved;
+  return moved > 0 && hermite > most ? std::max(least, most - moved * moved / (2 * after.along)) : hermite;
 }
 
 /// Finds the next equilibrium; false where there is none within the least step.
@@ -348,7 +426,9 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     LoadStep step;
     step.factor = path.factor + path.step > 1 - least ? 1 : path.factor + path.step;
     const double length = step.factor - path.factor;
-    Now next = at(*path.loads, path.now.bending + length * path.rate, step.factor);
+    Eigen::VectorXd on_faces;
+    if (contact_) on_faces = path.now.on_faces + length * path.rate.on_faces;
+    Now next = at(*path.loads, path.now.bending + length * path.rate.bending, step.factor, on_faces.cwiseMax(0));
     const bool found = iterate(next, *path.loads, options, step);
     result.iterations += step.iterations;
     if (!found) continue;
@@ -365,12 +445,19 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
   }
 }
 
+/// The plate before it is loaded.
+StretchedPlate::Now StretchedPlate::undeformed(const PlateLoads& loads) const {
+  Eigen::VectorXd on_faces;
+  if (contact_) on_faces = Eigen::VectorXd::Zero(2 * contact_->rows().arms().size());
+  return at(loads, zero_like(loads.across), 0, on_faces);
+}
+
 LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const {
   constexpr double far = 2;  // thicknesses, of the first step by linear theory
   LargeDeflections result;
-  Path path{.loads = &loads, .now = at(loads, zero_like(loads.across), 0), .rate = {}};
+  Path path{.loads = &loads, .now = undeformed(loads), .rate = {}};
   look_ahead(path);
-  const double linear = path.rate.row(0).cwiseAbs().maxCoeff();
+  const double linear = path.rate.bending.row(0).cwiseAbs().maxCoeff();
   if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);
   while (path.factor < 1 && advance(path, options, result)) {
   }
@@ -380,7 +467,13 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   auto& now = path.now;
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
+  if (loads.heat.points() > 0)
+    result.stored_by_deflections = now.bending.cwiseProduct(product(loads.heat, now.bending)).sum() / 2;
   result.factor_bytes = path.bytes;
+  if (contact_) {
+    const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);
+    result.touching.faces = contact_->rows().contacts((now.on_faces.array() > 0).select(0, openings), now.on_faces);
+  }
   result.stretch = plane_.stretching().stretch(now.bending);
   result.membrane_forces = plane_.stretching().membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);

@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/solve/crack_contact.hpp"
 #include "plate/solve/matrices/factor.hpp"
 #include "plate/solve/stretching.hpp"
 
 namespace plate {
 
 class Formulation;
+class StretchedContact;
+struct Heat;
 
 /// An equilibrium on the way to the full load.
 struct LoadStep {
@@ -35,9 +38,12 @@ struct LargeDeflections {
   std::vector<LoadStep> steps;
   double bending_energy = 0, membrane_energy = 0;
   double external_work = 0;  // of the loads along the steps
-  Forces on_bending;         // of the stretched middle plane on the deflections
-  Stretch stretch;           // of the middle plane by the deflections
+  /// Share of the deflections in the energy stored by heat in the plane (stored() has that of u and v).
+  double stored_by_deflections = 0;
+  Forces on_bending;  // of the stretched middle plane on the deflections
+  Stretch stretch;    // of the middle plane by the deflections
   Eigen::Matrix3Xd membrane_forces;
+  TouchingFaces touching;  // its faces alone; none where contact was not asked for
   std::size_t iterations = 0, factor_bytes = 0;
   bool converged = false;
   std::string stop_reason;
@@ -59,6 +65,9 @@ public:
   /// The displacements under given deflections and a load in the plane.
   State displacements(const State& bending, const Forces& load) const;
 
+  /// Displacements of the flat plate by loads in the plane.
+  std::vector<State> solve(const std::vector<Forces>& loads) const;
+
   const Stretching& stretching() const { return *stretching_; }
   /// Supports and pins.
   const Constraints& constraints() const { return constraints_; }
@@ -75,20 +84,25 @@ private:
   std::unique_ptr<const Factor> factor_;
 };
 
-/// Estimates by what share of the deflections with large deflections those of linear theory are too large (theory.md,
-/// "Large deflections"), from a linear equilibrium: its shape is kept, its size is the one of least energy. Negative
-/// where loads in the plane make linear theory too small; zero for a state at rest. `membrane`: the same points in
-/// their plane; `in_plane`: their load.
-/// @throws NumericalError  where the plane has no factor
-double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
-                         const Forces& in_plane);
-
 /// Nodal forces on a plate and on the same points in their plane.
 struct PlateLoads {
   Forces across, in_plane;
+  PointMatrix heat = {};  // stiffness_of_heat() of the heat among those in the plane
 };
 
-/// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains.
+/// Stretching::stiffness_of_heat of the heat of a plate in its plane; without points where there is none.
+PointMatrix stiffness_of_heat(const Formulation& membrane, const Heat& heat);
+
+/// Estimates by what share of the deflections with large deflections those of linear theory are too large (theory.md,
+/// "Large deflections"), from a linear equilibrium: its shape is kept, its size is the one of least energy. Negative
+/// where loads in the plane make linear theory too small; zero for a state at rest. `membrane`: the same points in
+/// their plane. Of the loads those in the plane count.
+/// @throws NumericalError  where the plane has no factor
+double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,
+                         const PlateLoads& loads);
+
+/// A plate and the same points in their plane (PlateLaw::membrane) as one elastic body with von Karman's strains; the
+/// faces of its cracks touch where the problem asks for it.
 /// States of both stand behind each other: the plate's points, then the same points in their plane.
 class StretchedPlate {
 public:
@@ -103,9 +117,13 @@ public:
 private:
   struct Now;
   struct Path;
-  Now at(const PlateLoads& loads, const State& bending, double factor) const;
-  std::unique_ptr<Factor> tangent(const Now& now, double& shift) const;
-  State direction(const Factor& tangent, const Forces& force) const;
+  struct Way;
+  Now at(const PlateLoads& loads, const State& bending, double factor, const Eigen::VectorXd& on_faces) const;
+  Now undeformed(const PlateLoads& loads) const;
+  std::unique_ptr<Factor> tangent(const Now& now, const PlateLoads& loads, double factor, double& shift) const;
+  Way step(const Factor& tangent, const Now& now) const;
+  Way rate(const Factor& tangent, const Now& now, const PlateLoads& loads) const;
+  void add_contact(const Factor& tangent, const Eigen::VectorXd& change, State& both) const;
   bool iterate(Now& now, const PlateLoads& loads, const LargeDeflectionOptions& options, LoadStep& step) const;
   double norm(const Forces& forces) const;
   void look_ahead(Path& path) const;
@@ -119,6 +137,7 @@ private:
   Constraints of_both_;
   Forces weight_;
   Unknowns unknowns_;
+  std::unique_ptr<const StretchedContact> contact_;  // null where no faces may touch
 };
 
 }  // namespace plate

@@ -38,15 +38,18 @@ public:
   /// Forces on the deflections and on the displacements in the plane: minus the derivatives of that energy.
   virtual void internal_force(const State& bending, const State& membrane, Forces& on_bending,
                               Forces& on_membrane) const = 0;
-  /// Second derivatives of that energy: points of the plate first, then the same points in their plane, with room for
-  /// the stiffness of bending between the first.
+  /// Second derivatives of that energy: points of the plate first, then the same points in their plane.
   virtual PointMatrix stiffness(const State& bending, const State& membrane) const = 0;
   /// Stiffness of the deflections under the membrane forces of a plate that is still flat.
   virtual PointMatrix geometric_stiffness(const State& membrane) const = 0;
   /// Strains and loads that deflections give the plane.
   virtual Stretch stretch(const State& bending) const = 0;
-  /// Nxx, Nyy, Nxy of every point [force/length].
+  /// Nxx, Nyy, Nxy of every point of the plate [force/length].
   virtual Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const = 0;
+  /// Stiffness of the deflections under the membrane forces of held free strains, as of heat: the same in all
+  /// directions, of every point. Half its product with deflections is the energy by which strains of a heated plate
+  /// exceed those above.
+  virtual PointMatrix stiffness_of_heat(const Eigen::VectorXd& free) const = 0;
 };
 
 }  // namespace plate

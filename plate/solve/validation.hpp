@@ -19,7 +19,8 @@ struct Validation {
 };
 
 /// Fewer modes than frequencies are asked for, pins within a spacing of one line, an equilibrium of a plate that is not
-/// held, in whole or in a piece that cracks cut off, a preconditioner that cannot be made.
+/// held, in whole or in a piece that cracks cut off, a preconditioner that cannot be made, large deflections that take
+/// more memory than there is.
 Validation validate(const Formulation& plate, const Analysis& analysis);
 
 /// Refusals that can be found before there is a plate: a spacing with fewer than four cells across the plate, internal

@@ -13,6 +13,7 @@ using Factors = Eigen::Vector3d;  // K1, K2, K3 h
 constexpr std::array of_integrals{0.1, 0.05, 0.05};  // of the difference of both integrals
 constexpr std::array of_change{0.3, 0.3, 0.5};       // of the last change of the result
 constexpr std::array of_size{0.0, 0.01, 0.02};       // of K2 and K3 h together, with size^2: the layer beside the faces
+constexpr double of_size_in_plane = 0.004;  // of the largest, with size^2, for N1 and N2: the place of the points
 constexpr double of_others_change = 0.3, of_step = 0.2;
 constexpr double share_of_rounding = 5e-5;  // of the largest factor
 
@@ -31,10 +32,11 @@ const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, SrifMethod met
 
 /// Pairs at one time: of the last discretisations in a row that have both integrals, with a fit. Where no energy is
 /// released the fit tells the factors.
-std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, std::size_t row, std::size_t tip, double h) {
+std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, RowsOfStep rows, std::size_t row, std::size_t tip,
+                        double h) {
   std::vector<Pair> result;
   for (const auto& one : path) {
-    const auto& srifs = one.rows.at(row);
+    const auto& srifs = (one.*rows).at(row);
     const auto *domain = find(srifs, tip, SrifMethod::domain_integral),
                *extension = find(srifs, tip, SrifMethod::virtual_crack_extension),
                *fit = find(srifs, tip, SrifMethod::series_fit);
@@ -104,8 +106,17 @@ struct Refined {
   Factors K, errors;
 };
 
+/// Error that the differences of discretisations do not tell: that of the layer beside the faces, in the plane that of
+/// the place of the points.
+Factors untold(const Pair& last, bool in_plane) {
+  const double square = last.size * last.size;
+  if (in_plane) return of_size_in_plane * square * last.domain.cwiseAbs().maxCoeff() * Factors(1, 1, 0);
+  return square * std::clamp(last.faces / 1.5, 1.0, 4.0) * last.domain.tail<2>().norm() *
+         Factors(of_size[0], of_size[1], of_size[2]);
+}
+
 /// Refined factors at all times.
-std::vector<Refined> refined(const Course& course) {
+std::vector<Refined> refined(const Course& course, bool in_plane) {
   const std::size_t n = course.front().size() - 1;
   const Factors paces = pace(course, n, mean);
   std::vector<Refined> all;
@@ -120,14 +131,13 @@ std::vector<Refined> refined(const Course& course) {
         extrapolated<Factors>(before.domain - before.extension, last.domain - last.extension, before.size, last.size);
     const double others = of_others_change * change.maxCoeff(),
                  integrals = (last.domain - last.extension).cwiseAbs().maxCoeff();
-    const double unresolved =
-        last.size * last.size * std::clamp(last.faces / 1.5, 1.0, 4.0) * last.domain.tail<2>().norm();
+    const Factors beside = untold(last, in_plane);
     Factors errors = apart.cwiseAbs() / 2 + of_step * step.cwiseAbs() +
                      Factors::Constant(share_of_rounding * result.cwiseAbs().maxCoeff());
     for (std::size_t i = 0; i < 3; ++i) {
       const auto j = Eigen::Index(i);
-      errors[j] += slowness(paces[j]) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals +
-                   of_size[i] * unresolved;
+      errors[j] +=
+          slowness(paces[j]) * of_change[i] * std::max(change[j], others) + of_integrals[i] * integrals + beside[j];
     }
     errors.head<2>().array() += last.tied;
     all.push_back({result, errors});
@@ -154,12 +164,12 @@ double truncation(const std::vector<AccuracyStep>& path, std::size_t tip) {
 }
 
 /// Course of the factors of a tip; without the times at which some discretisations are too few.
-Course course_of(const std::vector<AccuracyStep>& path, std::size_t tip, double thickness) {
+Course course_of(const std::vector<AccuracyStep>& path, RowsOfStep rows, std::size_t tip, double thickness) {
   constexpr std::size_t enough = 3;
   Course result;
   std::size_t least = path.size();
-  for (std::size_t row = 0; row < path.back().rows.size(); ++row) {
-    result.push_back(pairs(path, row, tip, thickness));
+  for (std::size_t row = 0; row < (path.back().*rows).size(); ++row) {
+    result.push_back(pairs(path, rows, row, tip, thickness));
     least = std::min(least, result.back().size());
   }
   if (least < enough) return {};
@@ -169,15 +179,15 @@ Course course_of(const std::vector<AccuracyStep>& path, std::size_t tip, double 
 
 }  // namespace
 
-std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness) {
+std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness, RowsOfStep of) {
   std::vector<std::vector<Srif>> result;
-  if (path.empty() || path.back().rows.empty()) return result;
-  const auto& rows = path.back().rows;
+  if (path.empty() || (path.back().*of).empty()) return result;
+  const auto& rows = path.back().*of;
   for (const auto* first : recommended(rows.front())) {
     const std::size_t tip = first->tip;
-    const Course course = course_of(path, tip, thickness);
+    const Course course = course_of(path, of, tip, thickness);
     if (course.empty()) continue;
-    auto found = refined(course);
+    auto found = refined(course, of == &AccuracyStep::rows_in_plane);
     level(found, truncation(path, tip));
     result.resize(rows.size());
     for (std::size_t row = 0; row < rows.size(); ++row) {

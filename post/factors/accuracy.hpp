@@ -17,12 +17,17 @@ struct AccuracyStep {
   std::vector<std::vector<Srif>> rows;  // by all methods, at all times; of a static case one
   std::vector<double> truncated;        // of every tip of a plate in motion: LanczosMotion::truncated()
   std::optional<double> error;  // estimated, of the worst factor of all tips, relative to the largest of its tip
+  std::vector<std::vector<Srif>> rows_in_plane;  // N1 and N2 as K1 and K2, where loads act there
 };
+
+/// Rows of a step: those of bending, or those in the plane.
+using RowsOfStep = std::vector<std::vector<Srif>> AccuracyStep::*;
 
 /// The factors of every tip that the discretisations tend to, at all times, as SrifMethod::refinement, with their
 /// estimated errors. Tips that do not have both integrals and the fit in each of the last three discretisations are
-/// left out. No rows where no tip is left.
-std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness);
+/// left out. No rows where no tip is left. `rows`: that are refined.
+std::vector<std::vector<Srif>> refined(const std::vector<AccuracyStep>& path, double thickness,
+                                       RowsOfStep rows = &AccuracyStep::rows);
 
 /// The error of another method's factors, from those of the same tip that the discretisations tend to.
 void refer_to(const Srif& refined, Srif& srif, double thickness);

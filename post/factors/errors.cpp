@@ -1,6 +1,7 @@
 #include "post/factors/errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace post {
@@ -174,11 +175,18 @@ void widen_errors(std::vector<Srif>& sum, const std::vector<std::pair<double, co
                   double thickness) {
   for (auto& srif : sum) {
     Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+    std::array<double, 2> in_plane{};
     for (const auto& [factor, rows] : parts)
-      for (const auto& part : *rows)
-        if (part.tip == srif.tip && part.method == srif.method)
-          for (Eigen::Index i = 0; i < 3; ++i)
-            squares[i] += std::pow(factor * part.errors[std::size_t(i)].value_or(0), 2);
+      for (const auto& part : *rows) {
+        if (part.tip != srif.tip || part.method != srif.method) continue;
+        for (Eigen::Index i = 0; i < 3; ++i)
+          squares[i] += std::pow(factor * part.errors[std::size_t(i)].value_or(0), 2);
+        for (std::size_t i = 0; i < 2 && part.membrane; ++i)
+          in_plane[i] += std::pow(factor * part.membrane->errors[i].value_or(0), 2);
+      }
+    for (std::size_t i = 0; i < 2 && srif.membrane; ++i)
+      if (auto& error = srif.membrane->errors[i]; in_plane[i] > 0)
+        error = std::max(error.value_or(0), std::sqrt(in_plane[i]));
     if (squares.isZero(0)) continue;
     Eigen::Vector3d errors = squares.cwiseSqrt();
     for (Eigen::Index i = 0; i < 3; ++i) errors[i] = std::max(errors[i], srif.errors[std::size_t(i)].value_or(0));

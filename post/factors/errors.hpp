@@ -32,7 +32,7 @@ void estimate_errors(std::vector<Srif>& found, const std::vector<FitSrif>& fits,
 
 /// Errors of the factors of a sum of states, each times a number. The parts' own errors, as if they had nothing to do
 /// with one another, are the least: where factors cancel, their errors need not. Rows of parts count where they have
-/// the same tip and method.
+/// the same tip and method. Factors in the plane are widened as those of bending.
 void widen_errors(std::vector<Srif>& sum, const std::vector<std::pair<double, const std::vector<Srif>*>>& parts,
                   double thickness);
 

@@ -230,16 +230,17 @@ double curvature_at(const geometry::Point& tip, const plate::Formulation& plate,
 }
 
 /// Factors of a tip of a heated plate. The free curvature about the tip is subtracted first: the remaining field has
-/// the actual moments, and no method needs to account for uniform heating.
+/// the actual moments, and no method needs to account for uniform heating. `stretch`: of a plate in its plane.
 std::vector<Srif> of_heated(const plate::Formulation& plate, const TipMethods& methods, const geometry::Tip& tip,
                             const plate::State& state, const plate::Forces& force, const plate::Heat& heat,
-                            bool all_rings, const Eigen::VectorXd* on_faces) {
+                            bool all_rings, const Eigen::VectorXd* on_faces, const plate::Stretch* stretch) {
   const bool uniform = heat.curvature.minCoeff() == heat.curvature.maxCoeff();
   const double there = uniform ? heat.curvature[0] : curvature_at(tip.position, plate, heat);
   const auto cold = plate::cold(state, plate.cloud().positions, tip.position, there);
   const Eigen::VectorXd varying = heat.curvature.array() - there;
-  const Eigen::Matrix3Xd free = -Eigen::Vector3d(1, 1, 0) * varying.transpose();
-  return methods(cold, force, all_rings, {uniform ? nullptr : &free, on_faces});
+  Eigen::Matrix3Xd free = -Eigen::Vector3d(1, 1, 0) * varying.transpose();
+  if (stretch) free += stretch->strains;
+  return methods(cold, force, all_rings, {uniform && !stretch ? nullptr : &free, on_faces});
 }
 
 /// Forces on points of a state beside those of elastic supports: internal, on all that constraints hold too.
@@ -334,7 +335,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   };
   const auto of_tip = [&](std::size_t tip, const plate::State& at, const plate::Forces& force,
                           const Eigen::VectorXd* on_faces) {
-    return heated ? of_heated(plate, methods[tip], plate.tips()[tip], at, force, *heat, all_rings, on_faces)
+    return heated ? of_heated(plate, methods[tip], plate.tips()[tip], at, force, *heat, all_rings, on_faces, stretch)
                   : methods[tip](at, force, all_rings, {stretch ? &stretch->strains : nullptr, on_faces});
   };
   plate::Forces force;
@@ -434,7 +435,8 @@ std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, 
     }
     const auto lost = named(srif, h, scale, [&](std::size_t k, double) { return !srif.resolved[k]; });
     const auto doubtful = named(srif, h, scale, [&](std::size_t k, double share) {
-      // what was asked for counts against the largest of all tips and times
+      // what was asked for counts against the largest of all tips, times and kinds of load
+      if (srif.accuracy_reached && *srif.accuracy_reached <= uncertain) return false;
       return srif.resolved[k] && share > std::max(uncertain, srif.accuracy_reached.value_or(0) * (1 + 1e-9));
     });
     if (!lost.empty()) warnings.push_back(fmt::format("{}: {} unresolved; {}", place, lost, remedy));

@@ -94,7 +94,14 @@ void widen(Srif& srif, double error, double thickness) {
 void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness) {
   const double largest = std::max(largest_factor(srif, thickness), largest_factor(other, thickness));
   const double relative = largest > 0 ? difference(srif, other, thickness) / largest : 0;
-  srif.second = {formulation, other.method, other.K1, other.K2, other.K3, relative};
+  srif.second = {formulation, other.method, other.K1, other.K2, other.K3, relative, std::nullopt};
+  if (srif.membrane && other.membrane) {
+    const auto &N = srif.membrane->N, &others = other.membrane->N;
+    const double most = std::max({std::abs(N[0]), std::abs(N[1]), std::abs(others[0]), std::abs(others[1])});
+    const double apart = std::max(std::abs(N[0] - others[0]), std::abs(N[1] - others[1]));
+    srif.second->in_plane = SecondInPlane{others, most > 0 ? apart / most : 0};
+    at_least(*srif.membrane, *other.membrane);
+  }
   if (largest == 0) return;
   srif.estimated_error = std::max(srif.estimated_error.value_or(0), relative);
   at_least(srif, {other.K1, other.K2, other.K3});
@@ -116,6 +123,8 @@ void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane,
       found = std::ranges::find_if(membrane,
                                    [&](const Srif& one) { return one.tip == srif.tip && one.method == srif.method; });
     if (found == membrane.end()) continue;
+    if (found->accuracy_reached)
+      srif.accuracy_reached = std::max(srif.accuracy_reached.value_or(0), *found->accuracy_reached);
     srif.membrane = MembraneFactors{{found->K1, found->K2},
                                     {found->errors[0], found->errors[1]},
                                     {found->resolved[0], found->resolved[1]},

@@ -65,12 +65,19 @@ struct FitSrif {
   double K1, K2, K3;
 };
 
+/// Factors in the plane by the other formulation.
+struct SecondInPlane {
+  std::array<double, 2> N;
+  double difference = 0;  // largest of both, relative to the largest N
+};
+
 /// The factors of the same tip by the recommended method of the other formulation.
 struct SecondSrif {
   std::string formulation;
   SrifMethod method{};
   double K1 = 0, K2 = 0, K3 = 0;
-  double difference = 0;  // largest of the three, relative to the largest K
+  double difference = 0;                  // largest of the three, relative to the largest K
+  std::optional<SecondInPlane> in_plane;  // where loads act there
 };
 
 /// Intensity factors of a tip in the plane: N1 = lim sqrt(2 r) N_nn, N2 of N_ns, with estimated errors
@@ -123,7 +130,8 @@ void widen(Srif& srif, const Srif& coarser, double thickness);
 /// Adds to the errors, those of K1, K2 and K3 times the thickness.
 void widen(Srif& srif, double error, double thickness);
 
-/// States the difference from the factors of another formulation; the estimated error is at least that.
+/// States the difference from the factors of another formulation, those in the plane too; the estimated errors are at
+/// least that.
 void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness);
 
 /// Face of the plate at which the faces of a crack pass through each other behind a tip, as nothing keeps them from it

@@ -17,10 +17,10 @@ void archive_name(Archive& archive, SrifMethod& method) {
 
 template <typename Archive>
 void serialize(Archive& archive, SecondSrif& second) {
-  auto& [formulation, method, K1, K2, K3, difference] = second;
+  auto& [formulation, method, K1, K2, K3, difference, in_plane] = second;
   archive(formulation);
   archive_name(archive, method);
-  archive(K1, K2, K3, difference);
+  archive(K1, K2, K3, difference, in_plane);
 }
 
 template <typename Archive>
@@ -45,6 +45,8 @@ template <>
 inline constexpr int plate::archived_members<post::Cracks> = 2;
 template <>
 inline constexpr int plate::archived_members<post::MembraneFactors> = 5;
+template <>
+inline constexpr int plate::archived_members<post::SecondInPlane> = 2;
 template <>
 inline constexpr int plate::archived_members<post::RingSrif> = 6;
 template <>

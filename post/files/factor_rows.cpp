@@ -167,13 +167,14 @@ plate::State state_in_plane(const plate::Formulation& membrane, const Eigen::Mat
   return state;
 }
 
-/// Adds the factors in the plane of a frame, with the strains of large deflections. `bending`: state of the plate.
+/// Adds the factors in the plane of a frame, with the strains of large deflections. `bending`: state of the plate;
+/// `heat`: in the plane.
 void add_in_plane(std::vector<Srif>& found, const PlateInPlane& in_plane, const Eigen::Matrix2Xd& displacement,
-                  const plate::State& bending, const SrifOptions& options) {
+                  const plate::State& bending, const plate::Heat& heat, const SrifOptions& options) {
   const auto& [membrane, methods] = in_plane;
   std::optional<plate::Stretch> stretch;
   if (membrane.problem().stretches) stretch = membrane.stretching()->stretch(bending);
-  const auto stretched = srifs(membrane, options, methods, state_in_plane(membrane, displacement), true, nullptr,
+  const auto stretched = srifs(membrane, options, methods, state_in_plane(membrane, displacement), true, &heat,
                                stretch ? &*stretch : nullptr);
   require_finite(stretched, "in the plane");
   add_membrane(found, stretched, membrane.problem().section);
@@ -198,7 +199,9 @@ Table stored_factors(const StoredRun& run, const plate::Formulation& plate, cons
     if (plate::has_prescribed_displacements(plate)) state += lift_of_frame(frame, run.times[frame], plate);
     const auto heat = heat_of_frame(frame, run.times[frame], plate);
     auto found = srifs(plate, options, methods, state, true, &heat);
-    if (in_plane) add_in_plane(found, *in_plane, run.displacements[frame], state, options);
+    if (in_plane)
+      add_in_plane(found, *in_plane, run.displacements[frame], state,
+                   heat_of_frame(frame, run.times[frame], in_plane->membrane), options);
     require_finite(found, fmt::format("at time {:g}", run.times[frame]));
     if (names.empty()) {
       append(table, run.times[frame], found);

@@ -92,6 +92,10 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plat
     if (history_.rows.size() == 1) history_.columns.emplace_back("dissipated_energy");
     history_.rows.back().emplace_back(*s.dissipated_energy);
   }
+  if (s.contact_energy) {
+    if (history_.rows.size() == 1) history_.columns.emplace_back("contact_energy");
+    history_.rows.back().emplace_back(*s.contact_energy);
+  }
   for (const auto& [name, x, shares] : probes) {
     plate::PointValues u = plate::value_at(shares, s.state);
     for (double& component : u) component = plate::sum_of_all(boundary.map, component);  // one process has the place

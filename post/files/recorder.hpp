@@ -64,9 +64,10 @@ struct Sample {
   const plate::State& state;
   double strain_energy, kinetic_energy, external_work, fracture_energy;
   std::optional<double> discrete_energy = {}, energy_residual = {};  // in motion
-  std::optional<double> dissipated_energy = {};                      // of a damped motion
+  std::optional<double> dissipated_energy = {};                      // of a damped motion, or one with contact
   const Eigen::Matrix2Xd* in_plane = nullptr;  // u, v of every point, where loads act in the plane
   std::optional<double> released_energy = {}, load_factor = {}, displacement = {};  // of a quasi-static growth
+  std::optional<double> contact_energy = {};  // part of what is dissipated by faces of cracks that meet
 };
 
 /// The points of the plate at an instant, with resultants and damage (zero) where they are wanted; `heat`: what

@@ -61,6 +61,11 @@ Json json_of(const Srif& srif) {
                                   {"K2", second->K2},
                                   {"K3", second->K3},
                                   {"difference", second->difference}};
+  if (srif.second && srif.second->in_plane) {
+    const auto& [N, difference] = *srif.second->in_plane;
+    auto& entry = json["second_formulation"];
+    entry["N1"] = N[0], entry["N2"] = N[1], entry["difference_in_plane"] = difference;
+  }
   for (const auto& f : srif.fits)
     json["fits"].push_back({{"inner", f.inner}, {"outer", f.outer}, {"K1", f.K1}, {"K2", f.K2}, {"K3", f.K3}});
   if (srif.rings.empty()) {
@@ -124,7 +129,7 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
     const auto& [name, position] = reactions.supports[i];
     Json one{{"support", name}};
     if (position) one["x"] = position->x(), one["y"] = position->y();
-    one.update(json_of(reactions.balance.supports[i]));
+    one.update(json_of(reactions.supports[i].written(reactions.balance.supports[i])));
     if (rows)
       one["largest_force"] = reactions.largest[i].force, one["time_of_largest_force"] = reactions.largest[i].time;
     json["supports"].push_back(std::move(one));
@@ -250,10 +255,16 @@ Json json_of(const AccuracySummary& accuracy) {
   return json;
 }
 
+Json json_of(const ContactSummary& contact) {
+  return {{"least_opening", contact.least_opening},
+          {"largest_pressure", contact.largest_pressure},
+          {"closed_share", contact.closed_share}};
+}
+
 Json json_of(const LoadCaseSummary& one) {
   Json json{{"name", one.name}};
   if (!one.of.empty()) json["of"] = json_of(one.of);
-  if (!one.of.empty() && one.large_deflections) json["superposed"] = false;
+  if (!one.of.empty() && !one.superposed()) json["superposed"] = false;
   add(json, "iterations", one.iterations);
   add(json, "residual", one.residual);
   json["srif"] = json_of(one.srif, one.faces);
@@ -261,6 +272,7 @@ Json json_of(const LoadCaseSummary& one) {
   if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
   json["energy"] = {{"strain", one.strain_energy}, {"external_work", one.external_work}};
   if (one.membrane) json["membrane"] = json_of(*one.membrane);
+  if (one.contact) json["contact"] = json_of(*one.contact);
   return json;
 }
 
@@ -283,6 +295,12 @@ Json json_of(const ResponsePeak& one) {
 Wrench& Wrench::operator+=(const Wrench& other) {
   force += other.force, moment_x += other.moment_x, moment_y += other.moment_y;
   return *this;
+}
+
+Wrench ReactionSummary::Support::written(Wrench wrench) const {
+  const bool hub = position && (name.starts_with("hub") || name.starts_with("hole"));  // edges have no position
+  if (hub) wrench.moment_x -= position->y() * wrench.force, wrench.moment_y += position->x() * wrench.force;
+  return wrench;
 }
 
 Wrench Balance::sum() const {
@@ -331,10 +349,7 @@ std::string to_json(const Summary& summary) {
     json["buckling"] = Json::array();
     for (const auto& one : summary.buckling) json["buckling"].push_back(json_of(one));
   }
-  if (const auto& contact = summary.contact)
-    json["contact"] = {{"least_opening", contact->least_opening},
-                       {"largest_pressure", contact->largest_pressure},
-                       {"closed_share", contact->closed_share}};
+  if (summary.contact) json["contact"] = json_of(*summary.contact);
   if (!summary.load_steps.rows.empty()) json["load_steps"] = json_of(summary.load_steps);
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));
   if (!summary.resonances.empty()) json["resonances"] = summary.resonances;

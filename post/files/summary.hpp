@@ -42,7 +42,10 @@ struct Balance {
 struct ReactionSummary {
   struct Support {
     std::string name;                         // of edges; of pins: pin0, pin1, ...
-    std::optional<geometry::Point> position;  // of a pin
+    std::optional<geometry::Point> position;  // of a pin, a spring or the centre of a hub
+
+    /// The wrench as it is written: of a hub with the moments about its centre.
+    Wrench written(Wrench wrench) const;
   };
   struct Largest {
     double time, force;
@@ -128,9 +131,10 @@ struct LoadCaseSummary {
   double strain_energy = 0, external_work = 0;
   std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
   bool large_deflections = false;                // solved by itself, also a combination
+  std::optional<ContactSummary> contact = {};    // where faces of cracks may touch: solved by itself
 
   /// True of a combination that is the sum of states.
-  bool superposed() const { return !of.empty() && !large_deflections; }
+  bool superposed() const { return !of.empty() && !large_deflections && !contact; }
 };
 
 /// The largest of all load cases and combinations: K1, K2, K3, G, N1, N2 or the utilisation of a tip, and which of them

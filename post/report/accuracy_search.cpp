@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -12,6 +13,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/space.hpp"
+#include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/factors/tip_section.hpp"
 #include "post/report/terminal.hpp"
@@ -93,13 +95,16 @@ AccuracyStep step_of(double size, AccuracyTrial trial, double seconds) {
           seconds,
           std::move(trial.rows),
           std::move(trial.truncated),
-          std::nullopt};
+          std::nullopt,
+          std::move(trial.rows_in_plane)};
 }
 
-/// K1 of a crack that releases the whole energy of the plate over its smaller side.
-double nominal_factor(const plate::Problem& problem, double strain_energy) {
+/// K1 of a crack that releases the whole energy of the plate over its smaller side; N1 by the law of the membrane.
+double nominal_factor(const plate::Problem& problem, double strain_energy, plate::PlateLaw law) {
   const auto [low, high] = geometry::bounding_box(problem.outline);
-  return std::sqrt(strain_energy / (high - low).minCoeff() / TipSection(problem.section).unit_release()[0]);
+  auto section = problem.section;
+  section.law = law;
+  return std::sqrt(strain_energy / (high - low).minCoeff() / TipSection(section).unit_release()[0]);
 }
 
 /// Reason that forbids a smaller size; empty where there is none.
@@ -146,14 +151,24 @@ void add_truncation(const std::vector<double>& truncated, const std::vector<std:
 }
 
 /// Puts the refined factors of every tip before those of the finest discretisation, whose errors they tell.
-void put_first(std::vector<Srif> refined, std::vector<Srif>& row, const SrifOptions& options, double thickness) {
-  for (auto& best : refined) {
-    normalize(best, options, thickness);
-    for (auto& srif : row)
-      if (srif.tip == best.tip) refer_to(best, srif, thickness);
-    row.insert(std::ranges::find(row, best.tip, &Srif::tip), std::move(best));
-  }
+void put_first(std::vector<std::vector<Srif>> refined, std::vector<std::vector<Srif>>& rows, const SrifOptions& options,
+               double thickness) {
+  for (std::size_t i = 0; i < refined.size(); ++i)
+    for (auto& best : refined[i]) {
+      normalize(best, options, thickness);
+      for (auto& srif : rows[i])
+        if (srif.tip == best.tip) refer_to(best, srif, thickness);
+      rows[i].insert(std::ranges::find(rows[i], best.tip, &Srif::tip), std::move(best));
+    }
 }
+
+/// Factors of one kind on the way: those of bending, or those in the plane.
+struct FactorGroup {
+  RowsOfStep rows;
+  double at_faces;                                           // force per length at the faces of the plate, per factor
+  double nominal = 0;                                        // nominal_factor()
+  std::vector<std::vector<std::vector<Srif>>> refined = {};  // after every discretisation
+};
 
 class Search {
 public:
@@ -182,13 +197,36 @@ public:
       const auto next = next_size(found_.path, vectors_, seconds_since(start_), options_);
       size = next.size, found_.ended_by = next.end;
     }
-    auto best = best_of(refined_, tips_, thickness_, nominal_);
-    judge(best.rows, thickness_, nominal_);
-    found_.reached = best.error;
-    return {std::move(found_), std::move(best.rows)};
+    AccuracyFound result;
+    found_.reached = 0;
+    for (const auto& kind : kinds_) {
+      const double nominal = nominal_of(kind);
+      auto best = best_of(kind.refined, tips_, thickness_, nominal);
+      judge(best.rows, thickness_, nominal);
+      found_.reached = larger(found_.reached, best.error);
+      (&kind == &kinds_.front() ? result.refined : result.refined_in_plane) = std::move(best.rows);
+    }
+    result.summary = std::move(found_);
+    return result;
   }
 
 private:
+  using Error = std::optional<double>;
+  static Error larger(Error one, Error other) { return one && other ? std::max(one, other) : std::nullopt; }
+
+  /// Factor of a kind of which a hundredth is the least that errors count against: its own nominal one, or what the
+  /// factors of the other kind are at the faces.
+  double nominal_of(const FactorGroup& kind) const {
+    double result = 0;
+    for (const auto& other : kinds_) {
+      double most = other.nominal;
+      if (&other != &kind)
+        for (const auto& row : other.refined.back()) most = std::max(most, largest_of_tips(row, thickness_));
+      result = std::max(result, most * (other.at_faces / kind.at_faces));
+    }
+    return result;
+  }
+
   /// Where the last discretisation is two steps finer than the one before it and its error is larger, replaces it by
   /// the one between, if that can be had.
   void try_between() {
@@ -217,11 +255,18 @@ private:
       return fmt::format("what forbids the next discretisation: {}", unfit->why);
     auto& trial = std::get<AccuracyTrial>(next);
     const auto& problem = trial.plate->problem();
-    tips_ = trial.plate->tips().size(), vectors_ = trial.vectors;
-    nominal_ = nominal_factor(problem, trial.strain_energy), thickness_ = problem.section.thickness;
+    tips_ = trial.plate->tips().size(), vectors_ = trial.vectors, thickness_ = problem.section.thickness;
+    if (kinds_.empty()) kinds_.push_back({&AccuracyStep::rows, 6 / thickness_});
+    if (kinds_.size() < 2 && !trial.rows_in_plane.empty()) kinds_.push_back({&AccuracyStep::rows_in_plane, 1});
+    const std::array energies{trial.strain_energy, trial.energy_in_plane};
+    constexpr std::array laws{plate::PlateLaw::bending, plate::PlateLaw::membrane};
+    for (std::size_t i = 0; i < kinds_.size(); ++i) kinds_[i].nominal = nominal_factor(problem, energies[i], laws[i]);
     found_.path.push_back(step_of(size, std::move(trial), seconds_since(begin)));
-    refined_.push_back(post::refined(found_.path, thickness_));
-    const auto error = found_.path.back().error = largest_error(refined_.back(), tips_, thickness_, nominal_);
+    for (auto& kind : kinds_) kind.refined.push_back(post::refined(found_.path, thickness_, kind.rows));
+    Error error = 0;
+    for (const auto& kind : kinds_)
+      error = larger(error, largest_error(kind.refined.back(), tips_, thickness_, nominal_of(kind)));
+    found_.path.back().error = error;
     progress_.update(std::min(0.99, error ? found_.asked / *error : 0),
                      fmt::format("{} points, {}", found_.path.back().points,
                                  error ? fmt::format("estimated error {:.2g} %", 100 * *error) : "no estimate yet"));
@@ -233,9 +278,9 @@ private:
   Progress& progress_;
   Clock::time_point start_ = Clock::now();
   AccuracySummary found_;
-  std::vector<std::vector<std::vector<Srif>>> refined_;  // after every discretisation
+  std::vector<FactorGroup> kinds_;
   std::size_t tips_ = 0, vectors_ = 0;
-  double nominal_ = 0, thickness_ = 0;
+  double thickness_ = 0;
 };
 
 }  // namespace
@@ -244,14 +289,14 @@ AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& p
   return Search(options, solve, progress).run();
 }
 
-std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
-                                       const SrifOptions& options, double thickness) {
-  auto rows = found.summary.path.back().rows;
-  auto& refined = found.refined;
-  if (truncated) add_truncation(*truncated, refined, rows, thickness);
-  for (std::size_t row = 0; row < refined.size(); ++row)
-    put_first(std::move(refined[row]), rows[row], options, thickness);
-  return rows;
+FactorsFound rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
+                     const SrifOptions& options, double thickness) {
+  auto& finest = found.summary.path.back();
+  FactorsFound result{std::move(finest.rows), std::move(finest.rows_in_plane)};
+  if (truncated) add_truncation(*truncated, found.refined, result.rows, thickness);
+  put_first(std::move(found.refined), result.rows, options, thickness);
+  put_first(std::move(found.refined_in_plane), result.in_plane, options, thickness);
+  return result;
 }
 
 std::vector<std::string> warnings_about(const AccuracySummary& found) {

@@ -22,10 +22,12 @@ plate::Discretization discretization_of(const plate::Problem& problem, bool move
 /// Results of one discretisation of a search.
 struct AccuracyTrial {
   const plate::Formulation* plate;
-  std::vector<std::vector<Srif>> rows;  // at all times; of a static case one
-  std::vector<double> truncated;        // of every tip of a plate in motion: LanczosMotion::truncated()
-  double strain_energy;                 // the largest
-  std::size_t vectors;                  // of Lanczos
+  std::vector<std::vector<Srif>> rows;                // at all times; of a static case one
+  std::vector<double> truncated;                      // of every tip of a plate in motion: LanczosMotion::truncated()
+  double strain_energy;                               // the largest
+  std::size_t vectors;                                // of Lanczos
+  std::vector<std::vector<Srif>> rows_in_plane = {};  // N1 and N2 as K1 and K2, where loads act there ...
+  double energy_in_plane = 0;                         // ... and the strain energy
 };
 
 /// Reason why a discretisation is infeasible: points that are too coarse may not do where finer ones do.
@@ -39,6 +41,7 @@ using Solve = std::function<std::variant<AccuracyTrial, Infeasible>(double size)
 struct AccuracyFound {
   AccuracySummary summary;                 // without a path where no discretisation could be had
   std::vector<std::vector<Srif>> refined;  // what all discretisations tend to, for each tip at all times
+  std::vector<std::vector<Srif>> refined_in_plane;
 };
 
 /// Refines until every factor is known to options.accuracy, or time, memory or sizes end it (theory.md, "To a stated
@@ -47,10 +50,15 @@ struct AccuracyFound {
 /// plate::NumericalError where the first trial does.
 AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& progress);
 
-/// Rows of the search: for each tip the limit of all discretisations, then those of the finest. `truncated`: what the
-/// vectors of the finest leave out of a motion.
-std::vector<std::vector<Srif>> rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
-                                       const SrifOptions& options, double thickness);
+/// Rows of the search: for each tip the limit of all discretisations, then those of the finest; without rows in the
+/// plane where no load acts there.
+struct FactorsFound {
+  std::vector<std::vector<Srif>> rows, in_plane;
+};
+
+/// `truncated`: what the vectors of the finest discretisation leave out of a motion.
+FactorsFound rows_of(AccuracyFound found, const std::optional<std::vector<double>>& truncated,
+                     const SrifOptions& options, double thickness);
 
 /// Warnings that the accuracy was not reached, and what ended the search.
 std::vector<std::string> warnings_about(const AccuracySummary& found);

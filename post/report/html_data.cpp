@@ -132,7 +132,8 @@ const char* words(plate::SupportKind kind) {
       {simply_supported_layer, "simply supported in a layer"},
       {simply_supported_hard_layer, "simply supported in a layer, hard"},
       {pinned, "pinned"},
-      {in_plane, "held in the plane"}};
+      {in_plane, "held in the plane"},
+      {hub, "hub"}};
   return all.at(kind);
 }
 
@@ -183,6 +184,10 @@ struct Described {
   void operator()(const plate::LineLoad& load) const { add("along", text_of(load.along)); }
   void operator()(const plate::Temperature& load) const {
     if (load.formula.given()) add("expression", json_text(load.formula.text()));
+    if (load.mean_formula.given())
+      add("mean", json_text(load.mean_formula.text()));
+    else if (load.mean != 0)
+      add("mean", json_number(load.mean));
   }
   void operator()(const plate::Settlement& load) const {
     add("support", json_number(double(load.support)));
@@ -240,10 +245,9 @@ std::string text_of(const plate::Spring& spring) {
 }
 
 std::string text_of(const plate::Stiffener& beam) {
-  Members members{{"bending", json_number(beam.bending)},
-                  {"torsion", json_number(beam.torsion)},
-                  {"mass", json_number(beam.mass)},
-                  {"edges", text_of(beam.edges)}};
+  Members members{{"bending", json_number(beam.bending)}, {"torsion", json_number(beam.torsion)},
+                  {"axial", json_number(beam.axial)},     {"eccentricity", json_number(beam.eccentricity)},
+                  {"mass", json_number(beam.mass)},       {"edges", text_of(beam.edges)}};
   if (!beam.along.empty()) members.emplace_back("along", text_of(beam.along));
   return json_object(members);
 }
@@ -297,6 +301,8 @@ std::string text_of(const plate::Support& s) {
   Members members{{"kind", json_text(words(s.kind))}, {"edges", text_of(s.edges)}, {"points", text_of(s.points)}};
   if (!s.along.empty()) members.emplace_back("along", text_of(s.along));
   if (s.patch) members.emplace_back("patch", text_of(*s.patch));
+  if (s.k_w) members.emplace_back("k_w", json_number(*s.k_w));
+  if (s.k_phi) members.emplace_back("k_phi", json_number(*s.k_phi));
   constexpr std::array in_plane{"free", "fixed", "normal", "tangential"};
   if (const auto held = s.held_in_plane(); held != plate::InPlane::free)
     members.emplace_back("in_plane", json_text(in_plane[std::size_t(held)]));

@@ -30,6 +30,12 @@ std::string shortened(std::vector<std::string> texts, std::size_t most) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+/// `of`: empty, or the load case.
+void contact(Text out, const ContactSummary& contact, const std::string& of, bool si) {
+  fmt::format_to(out, "faces of cracks touch along {:.1f} % of their length, pressed by {:.4g}{} at most{}\n",
+                 100 * contact.closed_share, contact.largest_pressure, si ? " N/m" : "", of);
+}
+
 void growth(Text out, const GrowthSummary& growth) {
   constexpr std::size_t most = 8;
   std::vector<std::string> lengths;
@@ -141,6 +147,9 @@ void in_plane(Text out, const std::vector<Srif>& srifs, bool si) {
       fmt::format_to(out, "in the plane{}:\n{:>4} {:>13} {:>13} {:>8}\n", si ? " [N m^-1/2]" : "", "tip", "N1", "N2",
                      "error");
     fmt::format_to(out, "{}", in_plane_text(*one));
+    if (one->second && one->second->in_plane)
+      fmt::format_to(out, "tip {}: {} gives N1 {:.6g}, N2 {:.6g}: {:.2f} % apart\n", one->tip, one->second->formulation,
+                     one->second->in_plane->N[0], one->second->in_plane->N[1], 100 * one->second->in_plane->difference);
   }
 }
 
@@ -324,9 +333,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     reactions(out, *summary.reactions, si ? " [N]" : "", size, 12);
   }
   if (summary.touching) fmt::format_to(out, "soil touches {:.1f} % of what lies above it\n", 100 * *summary.touching);
-  if (const auto& contact = summary.contact)
-    fmt::format_to(out, "faces of cracks touch along {:.1f} % of their length, pressed by {:.4g}{} at most\n",
-                   100 * contact->closed_share, contact->largest_pressure, si ? " N/m" : "");
+  if (summary.contact) contact(out, *summary.contact, "", si);
   if (summary.multipliers)
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
   if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);
@@ -446,8 +453,13 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
   in_plane_of_cases(out, summary, si);
   utilisations_of_cases(out, summary);
   if (!summary.envelope.empty()) largest_of_cases(out, summary.envelope, thickness);
-  if (std::ranges::any_of(summary.load_cases, [](const auto& one) { return one.large_deflections && !one.of.empty(); }))
-    text += "combinations are solved under their own loads, not superposed (large deflections)\n";
+  for (const auto& one : summary.load_cases)
+    if (one.contact) contact(out, *one.contact, ", " + one.name, si);
+  const auto alone =
+      std::ranges::find_if(summary.load_cases, [](const auto& one) { return !one.of.empty() && !one.superposed(); });
+  if (alone != summary.load_cases.end())
+    fmt::format_to(out, "combinations are solved under their own loads, not superposed ({})\n",
+                   alone->large_deflections ? "large deflections" : "contact of crack faces");
   for (const auto& one : summary.load_cases)
     if (one.reactions)
       reactions(out, *one.reactions, (si ? " [N], " : ", ") + one.name, std::abs(one.reactions->balance.loads.force),

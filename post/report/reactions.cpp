@@ -58,9 +58,18 @@ std::map<plate::Dof, std::vector<std::uint32_t>> holders_by_dof(const plate::Bou
   for (std::size_t i = 0; i < boundary.fictitious.size(); ++i)
     for (const int side : sides_that_hold(boundary, boundary.fictitious[i])) {
       const auto by = plate::holder(boundary.holders, boundary.sides[std::size_t(side)].name);
+      if (by == boundary.holders.size()) continue;  // beyond an edge that is held in the plane alone, or across it
       for (const auto dof : plate::dofs_of(std::uint32_t(boundary.cloud.plate_points + i))) add(dof, by);
     }
   return result;
+}
+
+/// Row of an elastic support: that of the hub whose spring it is, `next` where it is of none.
+std::size_t row_of_support(const plate::ElasticSupport& part, const plate::Boundary& boundary, std::size_t next) {
+  const auto found = std::ranges::find_if(boundary.holders, [&](const plate::Holder& holder) {
+    return holder.kind == plate::SupportKind::hub && holder.name == part.name;
+  });
+  return found == boundary.holders.end() ? next : std::size_t(found - boundary.holders.begin());
 }
 
 }  // namespace
@@ -135,8 +144,11 @@ Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads,
         });
     result.supports[h] = {force, moment_x, moment_y};
   }
-  for (const auto& part : boundary_->elastic_supports.holding())
-    result.supports.push_back(applied(part->force(state)).sum);
+  for (const auto& part : boundary_->elastic_supports.holding()) {
+    const auto row = row_of_support(*part, *boundary_, result.supports.size());
+    result.supports.resize(std::max(result.supports.size(), row + 1));
+    result.supports[row] += applied(part->force(state)).sum;
+  }
   Wrench left = result.sum();
   left += loads.sum;
   double largest = loads.size;
@@ -155,7 +167,11 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   const auto& held = boundary_->constraints.held();
   const auto elastic_supports = boundary_->elastic_supports.holding();
   const auto points = Eigen::Index(plate.points());
-  const auto holders = boundary_->holders.size(), all = holders + elastic_supports.size();
+  const auto holders = boundary_->holders.size();
+  std::vector<std::size_t> rows;  // of the elastic supports
+  std::size_t all = holders;
+  for (const auto& part : elastic_supports)
+    rows.push_back(row_of_support(*part, *boundary_, all)), all += rows.back() == all;
   const bool each = all <= most;
   std::vector<plate::State> units(each ? holders : 1, plate::zero_state(points));
   for (const auto& [holder, i, unit] : shares_) plate::at_dof(units[each ? holder : 0], held[i]) += unit.force;
@@ -172,7 +188,7 @@ Eigen::MatrixXd Supports::elastic_forces(const plate::Operator& plate) const {
   along_w.row(0).setOnes();
   for (std::size_t i = 0; i < elastic_supports.size(); ++i) {  // what they do to the plate is the support's own force
     forces = -elastic_supports[i]->force(along_w);
-    add(each ? holders + i : 0);
+    add(each ? rows[i] : 0);
   }
   return result;
 }
@@ -188,7 +204,9 @@ Eigen::VectorXd on_held(const plate::Formulation& plate, const plate::Operator& 
 std::vector<ReactionSummary::Support> supports_of(const plate::Formulation& plate) {
   std::vector<ReactionSummary::Support> result;
   for (const auto& holder : plate.boundary().holders) result.push_back({holder.name, holder.position});
-  for (const auto& part : plate.boundary().elastic_supports.holding()) result.push_back({part->name, part->position});
+  for (const auto& part : plate.boundary().elastic_supports.holding())
+    if (row_of_support(*part, plate.boundary(), result.size()) == result.size())
+      result.push_back({part->name, part->position});
   return result;
 }
 
@@ -276,7 +294,7 @@ Table ReactionRows::table() const {
                             w.moment_y, balance.residual});
     };
     for (std::size_t i = 0; i < supports_.size(); ++i)
-      row(supports_[i].name, supports_[i].position, balance.supports[i]);
+      row(supports_[i].name, supports_[i].position, supports_[i].written(balance.supports[i]));
     row("loads", std::nullopt, balance.loads);
     if (balance.inertia) row("inertia", std::nullopt, *balance.inertia);
   }
@@ -333,7 +351,7 @@ std::vector<Response> HarmonicReactions::at(double frequency, const plate::State
     largest = std::max(largest, std::hypot(real.supports[s].force, imaginary.supports[s].force));
   std::vector<Response> result;
   for (std::size_t s = 0; s < supports_.size(); ++s) {
-    const auto &a = real.supports[s], &b = imaginary.supports[s];
+    const auto a = supports_[s].written(real.supports[s]), b = supports_[s].written(imaginary.supports[s]);
     const std::complex force(a.force, b.force);
     const double error = change_ * largest;
     result.push_back({frequency, "support " + supports_[s].name, "force", force, {}, error < std::abs(force)});

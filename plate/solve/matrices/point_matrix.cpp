@@ -269,6 +269,28 @@ PointMatrix folded(PointMatrix matrix, const Constraints& constraints) {
   return result;
 }
 
+void add(const PointMatrix& matrix, double factor, PointMatrix& sum) {
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < matrix.points(); ++k) {
+    auto at = sum.first[k];
+    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) {
+      while (sum.row[at] != matrix.row[b]) ++at;
+      sum.block[at] += factor * matrix.block[b];
+    }
+  }
+}
+
+State product(const PointMatrix& matrix, const State& values) {
+  State result = zero_like(values);
+  for (std::uint32_t c = 0; c < matrix.points(); ++c)
+    for (auto at = matrix.first[c]; at < matrix.first[c + 1]; ++at) {
+      const auto r = matrix.row[at];
+      result.col(r) += matrix.block[at] * values.col(c);
+      if (r != c) result.col(c) += matrix.block[at].transpose() * values.col(r);
+    }
+  return result;
+}
+
 PointMatrix without_rounding(const PointMatrix& matrix) {
   constexpr double rounding = 1e-12;
   PointMatrix result;

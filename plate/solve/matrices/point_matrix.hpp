@@ -33,6 +33,12 @@ Unknowns unknowns(const Forces& diagonal, const std::vector<int>& order = {});
 /// P^T K P: what degrees of freedom that follow others have goes to those.
 PointMatrix folded(PointMatrix matrix, const Constraints& constraints);
 
+/// Adds a matrix of the first points of another, times a factor, to it, which has room for its blocks.
+void add(const PointMatrix& matrix, double factor, PointMatrix& sum);
+
+/// The product with values of its points [3 x points].
+State product(const PointMatrix& matrix, const State& values);
+
 /// Blocks that are zero but for rounding left out; the diagonal stays.
 PointMatrix without_rounding(const PointMatrix& matrix);
 

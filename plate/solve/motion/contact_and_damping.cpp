@@ -79,7 +79,10 @@ double stable_step(double free, const Impactor& impactor, const Constraints& con
 }
 
 ContactAndDamping::ContactAndDamping(const DynamicOptions& options, const State& state)
-    : damping_{options.mass_damping, options.stiffness_damping}, time_step_(options.time_step), kept_(options.save) {
+    : damping_{options.mass_damping, options.stiffness_damping},
+      time_step_(options.time_step),
+      kept_(options.save),
+      faces_(options.faces, options.from ? options.from->contact : ContactMemory{}) {
   const auto* from = options.from;
   if (from) earlier_ = from->earlier, dissipated_ = from->dissipated;
   if (options.impact)
@@ -94,9 +97,8 @@ void ContactAndDamping::find(const State& state, const State& velocity, const Fo
     before_ = force;
     if (kept_) earlier_ = state;
   }
-  if (!contact_) return;
-  pressed_.setZero(force.rows(), force.cols());
-  contact_->press(state, pressed_);
+  if (contact_ || faces_.any()) pressed_.setZero(force.rows(), force.cols());
+  if (contact_) contact_->press(state, pressed_);
 }
 
 void ContactAndDamping::add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const {
@@ -110,10 +112,11 @@ void ContactAndDamping::fold(const Constraints& constraints) {
 
 void ContactAndDamping::move(double share) {
   if (contact_) contact_->move(share, time_step_);
+  faces_.count();
 }
 
 void ContactAndDamping::save(MotionCheckpoint& memory) const {
-  memory.earlier = earlier_, memory.dissipated = dissipated_;
+  memory.earlier = earlier_, memory.dissipated = dissipated_, memory.contact = faces_.memory();
   if (contact_) memory.impactor_state = contact_->impactor_state();
 }
 

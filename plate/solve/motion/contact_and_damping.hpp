@@ -43,7 +43,8 @@ private:
 double stable_step(double free, const Impactor& impactor, const Constraints& constraints, const Forces& mass);
 
 /// Forces in time steps beside loads and stiffness: damping, of the mass with the mean velocity of both halves of a
-/// step, of the stiffness with that of the half step before, and the contact with a mass (theory (84, 85)).
+/// step, of the stiffness with that of the half step before, and the contact with a mass (theory (84, 85)), and that of
+/// the faces of cracks.
 class ContactAndDamping {
 public:
   /// Internal forces of a state in which what is held need not follow yet; not folded.
@@ -51,10 +52,11 @@ public:
 
   ContactAndDamping(const DynamicOptions& options, const State& state);
 
-  bool acts() const { return contact_ || damps(); }
+  bool acts() const { return contact_ || damps() || faces_.any(); }
   bool damps() const { return !damping_.none(); }
   const Damping& damping() const { return damping_; }
   const std::optional<ImpactContact>& contact() const { return contact_; }
+  const MovingFaces& faces() const { return faces_; }
   /// Force of stiffness-proportional damping alone, and its sum with the contact force; folded after fold().
   double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
   double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
@@ -64,6 +66,8 @@ public:
   void find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of);
   void add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const;
   void fold(const Constraints& constraints);
+  /// Finds the forces between faces of cracks under all others, and adds them to the folded ones.
+  void press_faces(const MovingFaces::FreeStep& step) { faces_.press(step, pressed_); }
   void lose(double energy) { dissipated_ += energy; }
   void move(double share);
   void save(MotionCheckpoint& memory) const;
@@ -73,6 +77,7 @@ private:
   double time_step_;
   bool kept_;  // true where its state is to be saved
   std::optional<ImpactContact> contact_;
+  MovingFaces faces_;
   State earlier_;  // of the step before
   Forces before_, viscous_, pressed_;
   double dissipated_ = 0;

@@ -90,8 +90,33 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
   return result;
 }
 
-/// Sets the strain energy where forces are not linear in the state: half their work is another number there.
-void set_energy(const DynamicOptions& options, const ContactAndDamping& contact_and_damping, Instant& instant) {
+/// Finds the forces between faces of cracks, with all other forces in hand.
+template <typename Real>
+void press_faces(const Step& now, const Values<Real>& force, const Masses& masses,
+                 ContactAndDamping& contact_and_damping) {
+  if (!contact_and_damping.faces().any()) return;
+  const double dt = now.time_step;
+  const auto acceleration = acceleration_of(force, now.velocity, contact_and_damping, dt);
+  const auto of_dof = [&](const Dof& dof) {
+    const auto i = Eigen::Index(index_in_state(dof, std::size_t(now.state.cols())));
+    return acceleration(masses.at_point(dof.point), dof.component, i);
+  };
+  contact_and_damping.press_faces({.state = now.state,
+                                   .velocity = now.velocity,
+                                   .time_step = dt,
+                                   .share = now.step == 0 ? dt / 2 : dt,
+                                   .drag = 1 + contact_and_damping.damping().mass * dt / 2,
+                                   .acceleration = of_dof,
+                                   .first = now.step == 0});
+}
+
+/// Sets the contact of crack faces, and the strain energy where forces are not linear in the state: half their work is
+/// another number there.
+void complete(const DynamicOptions& options, const ContactAndDamping& contact_and_damping, Instant& instant) {
+  if (const auto& faces = contact_and_damping.faces(); faces.any()) {
+    instant.faces = &faces.contacts(), instant.contact_so_far = faces.so_far();
+    instant.dissipated += instant.contact_so_far.lost;
+  }
   if (!options.strain_energy) return;
   instant.strain_energy = options.strain_energy(instant.state);
   if (const auto& contact = contact_and_damping.contact()) instant.strain_energy += contact->spring();
@@ -228,6 +253,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     if constexpr (std::is_same_v<Real, double>)
       if (options.changes) options.changes->after_force(now, own ? *own : force);
     if (masses.varies()) masses.at(time);
+    press_faces(now, force, masses, contact_and_damping);
     const double work = observed || masses.varies() ? masses.work(time, state) : 0;
     driven.add_work(now, force, contact_and_damping);
     const auto [before, after] =
@@ -236,7 +262,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       require_finite(state, fmt::format("at step {}, time {:g}", step, time), constraints);
       auto instant = seen(now, force, work, masses, constraints, contact_and_damping);
       instant.dissipated = contact_and_damping.dissipated() + before;
-      driven.complete(instant), travelling.complete(instant), set_energy(options, contact_and_damping, instant);
+      driven.complete(instant), travelling.complete(instant), complete(options, contact_and_damping, instant);
       instant.held_force = std::move(held_force), instant.interrupted = stops;
       observe(instant);
     }

@@ -6,6 +6,7 @@
 #include "plate/formulation/operator.hpp"
 #include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
+#include "plate/solve/motion/moving_faces.hpp"
 
 namespace plate {
 
@@ -72,7 +73,7 @@ struct Instant {
   /// Internal force on what is held (Constraints::on_held()), where it is at hand.
   std::optional<Eigen::VectorXd> held_force = {};
   bool interrupted = false;  // a signal ends the motion after it
-  double dissipated = 0;     // by damping until then [energy]
+  double dissipated = 0;     // by damping and by faces of cracks that meet, until then [energy]
   /// The state to which the stiffness answers: u + beta v; where it does not damp, none.
   std::function<State()> strained = {};
   std::optional<ImpactorMotion> contact_force = {};
@@ -80,6 +81,9 @@ struct Instant {
   const State* rest = nullptr;
   /// Forces beside the loads: of the stretched middle plane on the deflections; none where it is null.
   const Forces* stretched = nullptr;
+  /// Contact of the pairs of points on cracks, and its part of `dissipated`; null where there are none.
+  const std::vector<PairContact>* faces = nullptr;
+  ContactSoFar contact_so_far = {};
   const State& what_strains() const { return rest ? *rest : state; }
 };
 
@@ -111,12 +115,14 @@ struct MotionCheckpoint {
   State earlier = {};                                // of the step before, where the stiffness damps
   double dissipated = 0;
   ImpactorState impactor_state = {};
+  ContactMemory contact = {};
 
   /// Archives what all ranks know: not state, velocity and earlier, whose values go with the points.
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step, loads, work, before, driven, travelling, given, dissipated);
     archive(impactor_state.place, impactor_state.velocity, impactor_state.largest, impactor_state.touching);
+    archive(contact.so_far.least_opening, contact.so_far.lost, contact.held, contact.closed);
   }
 };
 
@@ -147,6 +153,8 @@ struct DynamicOptions {
   std::function<void(const MotionCheckpoint&)> save = {};
   /// Strain energy of a state of a plate whose forces are not linear in it; absent: half their work.
   std::function<double(const State&)> strain_energy = {};
+  /// Faces of cracks, which do not overlap; in double precision and by one process only.
+  std::vector<MovingPair> faces = {};
 };
 
 /// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a

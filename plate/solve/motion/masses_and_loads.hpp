@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -36,6 +37,12 @@ public:
 
   /// Sets the sums of the loads.
   void at(double time);
+
+  /// Mass and loads of a point that has some.
+  const PointClass& at_point(std::uint32_t point) const {
+    const auto after = std::ranges::upper_bound(runs_, point, {}, &Run::first);
+    return classes_[std::prev(after)->point_class];
+  }
 
   /// visit(class, component, index of the first value, number of values) for all points, from several threads.
   template <typename Visit>

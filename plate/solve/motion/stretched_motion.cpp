@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/sections.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -30,6 +32,11 @@ StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& me
   constraints_.add(plate.constraints(), 0);
   constraints_.add(membrane.constraints(), std::uint32_t(plate.points()));
   constraints_.resolve();
+  if (!plate.problem().faces_touch()) return;
+  pairs_ = plate.face_pairs();
+  const Forces mass = this->mass();
+  for (const auto& pair : pairs_)
+    faces_.push_back(moving_pair(pair, lever_of(pair, plate.sections()), plate.points(), constraints_, mass));
 }
 
 StretchedMotion::~StretchedMotion() = default;
@@ -91,11 +98,30 @@ double StretchedMotion::strain_energy(const State& state) const {
   return plate_.strain_energy(of_plate(state)) + energy_in_plane(state);
 }
 
+TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts) const {
+  TouchingFaces result;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const auto& [opening, force] = contacts[i];
+    const auto& pair = pairs_[i];
+    result.faces.push_back({.position = plate_.cloud().positions[pair.left],
+                            .length = pair.length,
+                            .opening_top = opening[0],
+                            .opening_bottom = opening[1],
+                            .force_top = force[0] / pair.length,
+                            .force_bottom = force[1] / pair.length});
+  }
+  return result;
+}
+
 State StretchedMotion::at_rest(const Analysis& analysis) const {
   State bending = start_of(plate_, analysis), membrane = start_of(membrane_, analysis);
   if (bending.cols() == 0 && membrane.cols() == 0) return {};
   if (bending.cols() == 0) bending = zero_like(membrane);
   if (membrane.cols() == 0) membrane = zero_like(bending);
+  if (!faces_.empty()) {
+    const auto touching = touching_faces(plate_, membrane_, {bending, membrane});
+    bending += touching.bending, membrane += touching.membrane;
+  }
   return stacked(bending, membrane);
 }
 

@@ -5,11 +5,12 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/solve/crack_contact.hpp"
+#include "plate/solve/motion/moving_faces.hpp"
 #include "plate/solve/stretching.hpp"
 
 namespace plate {
 
-class Formulation;
 struct Analysis;
 
 /// A plate and the same points in their plane (PlateLaw::membrane) that move by central differences. All states, forces
@@ -39,6 +40,11 @@ public:
   double energy_in_plane(const State& state) const;
   double strain_energy(const State& state) const;
 
+  /// Pairs of points on the faces of cracks that may touch; none where they may overlap.
+  const std::vector<MovingPair>& faces() const { return faces_; }
+  /// Contact of these pairs, whose changes of the states stay empty.
+  TouchingFaces touching(const std::vector<PairContact>& contacts) const;
+
   /// State of rest under the loads of time 0, of a plate whose plane does not stretch; nothing where these are none.
   /// @throws NumericalError  where there is no equilibrium
   State at_rest(const Analysis& analysis) const;
@@ -54,6 +60,8 @@ private:
   std::unique_ptr<const Stretching> stretching_;
   Constraints constraints_;
   Forces unconstrained_mass_;
+  std::vector<FacePair> pairs_;
+  std::vector<MovingPair> faces_;
 };
 
 /// Stable time step of a plate and its plane. `rotary`: factor of the rotary inertia. Where the middle plane stretches,

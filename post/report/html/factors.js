@@ -88,7 +88,8 @@ function second_formulations(indices) {
   return indices.filter(i => data.summary.srif[i].second_formulation).map(i => {
     const one = data.summary.srif[i], second = one.second_formulation, path = `srif[${i}].second_formulation`;
     return element("li", {}, `Tip ${one.tip}, ${second.formulation} by ${spaced(second.method)}: `, factor_names.map(name => [`${name} `, value(`${path}.${name}`, 6), ", "]),
-      `${percent(second.difference)} apart`);
+      `${percent(second.difference)} apart`,
+      "difference_in_plane" in second ? ["; ", ["N1", "N2"].map(name => [`${name} `, value(`${path}.${name}`, 6), ", "]), `${percent(second.difference_in_plane)} apart`] : "");
   });
 }
 
@@ -131,6 +132,13 @@ function reactions_in_plane(all) {
     { title: "along x", unit: unit("force") }, { title: "along y", unit: unit("force") }], rows, { "data-table": "reactions_in_plane" })];
 }
 
+/** Contact of crack faces in every load case. */
+function contact_of_cases(all) {
+  if (!all.some(one => one.contact)) return null;
+  return [element("h3", {}, "Contact of crack faces"), table([{ title: "case", left: true }, { title: "closed, % of the length" }, { title: "largest pressure", unit: si ? "N/m" : "" }, { title: "least opening", unit: unit("length") }],
+    all.map((one, n) => [one.name, shown(100 * one.contact.closed_share, 3), value(`load_cases[${n}].contact.largest_pressure`, 4), value(`load_cases[${n}].contact.least_opening`, 4)]), { "data-table": "contact" })];
+}
+
 /** Factors, forces and the largest deflection of every load case and combination, and the envelope of them all. */
 function load_cases_section() {
   const all = data.summary.load_cases;
@@ -158,6 +166,7 @@ function load_cases_section() {
         : [[value(`envelope[${i}].value`), one.estimated_error === undefined ? null : element("span", { class: "error" }, ` ± ${shown(one.estimated_error, 2)}`)], one.case])]), { "data-table": "envelope" })] : null,
     element("h3", {}, "Forces and deflections"), table([{ title: "case", left: true }, { title: "load along w", unit: unit("force") }, { title: "largest w", unit: unit("w") }, { title: "largest von Mises", unit: unit("von_mises") }], sizes),
     reactions_in_plane(all),
-    all.some(one => one.superposed === false) ? note("Combinations are solved under their own loads: states with large deflections are not superposed.") : null,
+    contact_of_cases(all),
+    all.some(one => one.superposed === false) ? note(`Combinations are solved under their own loads: states with ${all.some(one => one.contact) ? "contact of crack faces" : "large deflections"} are not superposed.`) : null,
     note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));
 }

@@ -73,6 +73,8 @@ const shifted = (p, d, by) => [p[0] + by * d[0], p[1] + by * d[1]];
 const held_by = support => support.along ? support.along.slice(1).map((to, i) => ({ from: support.along[i], to })) : all_edges().filter(edge => support.edges.includes(edge.name));
 
 function support_marks(support, map) {
+  if (support.kind === "hub")
+    return (support.patch ? [support.patch] : plate.holes.filter(hole => support.edges.includes(hole.name))).map(disc => drawn("path", { d: path_of(hole_vertices(disc), map, true), class: "hub" }));
   if (support.patch) return [drawn("path", { d: path_of(hole_vertices(support.patch), map, true), class: "patch" }), drawn("path", { d: path_of(hole_vertices(support.patch), map, true), class: "mirror" })];
   const edges = held_by(support);
   const kind = support.kind;
@@ -224,7 +226,7 @@ function plate_drawing() {
 /** What the drawing shows, in words. */
 function plate_words() {
   const { section: s } = plate, on = edges => (edges.length ? ` on ${listed(edges)}` : "");
-  const support = one => `${one.kind}${one.points.length ? ` at ${one.points.length} ${one.points.length === 1 ? "point" : "points"}` : one.along ? " along a line" : one.patch ? " on a part" : on(one.edges)}${one.in_plane ? `, in the plane ${one.in_plane}` : ""}`;
+  const support = one => `${one.kind}${one.points.length ? ` at ${one.points.length} ${one.points.length === 1 ? "point" : "points"}` : one.along ? " along a line" : one.patch ? " on a part" : on(one.edges)}${one.kind === "hub" ? (one.k_phi === undefined ? " that does not turn" : one.k_phi === 0 ? " free to turn" : `, k_phi ${shown(one.k_phi)}`) + (one.k_w ? `, k_w ${shown(one.k_w)}` : "") : ""}${one.in_plane ? `, in the plane ${one.in_plane}` : ""}`;
   const load = one => {
     const value_of = one.tensor ? `${one.kind === "edge_traction" ? "Nxx, Nyy, Nxy" : "Mxx, Myy, Mxy"} = ${one.tensor.map(x => shown(x)).join(", ")}` : one.vector ? `${one.value ? `${shown(one.value)} along w and ` : ""}(${one.vector.map(x => shown(x)).join(", ")})` : one.expression ?? shown(one.value);
     const twist = (one.twist ? `, twist ${shown(one.twist)}` : "") + (one.shear ? `, shear ${shown(one.shear)}` : ""), pair = ([x, y]) => `(${shown(x)}, ${shown(y)})`;
@@ -237,7 +239,7 @@ function plate_words() {
     ["Thickness", of(s.thickness, "length")],
     ["Supports", plate.supports.length ? plate.supports.map(support).join("; ") : "none"],
     ...plate.foundations.map(one => ["Foundation", `modulus ${shown(one.modulus)}${one.shear ? `, shear ${shown(one.shear)}` : ""}${one.patch ? " beneath a part" : ""}${one.lifts_off ? ", the plate may lift off" : ""}`]),
-    ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
+    ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "axial", "eccentricity", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
     ...plate.springs.map(one => ["Springs", `${["deflection", "rotation_normal", "rotation_tangential", "rotation"].filter(key => one[key]).map(key => `${spaced(key)} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : ""}${one.along ? " along a line" : ""}`]),
     ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],
     ...(plate.beginning ? [["Beginning", plate.beginning]] : []),

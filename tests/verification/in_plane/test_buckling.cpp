@@ -10,6 +10,7 @@
 #include "cases/runs/analyses.hpp"
 #include "cases/runs/membrane.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
@@ -80,6 +81,32 @@ TEST_CASE("buckling: squares under compression and shear", "[in_plane]") {
       CHECK(fine.residual < 1e-6);
       CHECK(fine.shape.row(0).maxCoeff() == 1);
     }
+}
+
+TEST_CASE("buckling: bonds come to the same squares", "[in_plane]") {
+  using enum SupportKind;
+  struct Square {
+    SupportKind kind;
+    std::array<double, 3> N;
+    double factor, error;  // error: largest with 40 points a side
+  };
+  const std::vector<Square> squares{{simply_supported_hard, {-1, 0, 0}, 3.9443864, 0.01},       // 0.62 %
+                                    {simply_supported_hard, {-1, -1, 0}, 3.9443864 / 2, 0.01},  // 0.82 %
+                                    {simply_supported_hard, {0, 0, 1}, 8.9016552, 0.04},        // 3.1 %
+                                    {clamped, {-1, 0, 0}, 9.5586812, 0.035},                    // 2.6 %
+                                    {clamped, {-1, -1, 0}, 5.0865546, 0.025}};                  // 1.8 %
+  for (const auto& [kind, N, factor, error] : squares) {
+    INFO("kind " << int(kind) << ", N " << N[0] << " " << N[1] << " " << N[2]);
+    std::array<double, 2> errors{};
+    for (const int n : {20, 40}) {
+      auto c = loaded(1, 0.05, kind, N, n);
+      c.discretization.formulation = &plate::ordinary;
+      c.joined_with_plane = true;
+      errors[n == 40] = modes_of(c).at(0).factor / factor - 1;
+    }
+    CHECK(std::abs(errors[1]) < error);
+    CHECK(errors[0] > 2 * errors[1]);  // 3.7 to 6.1
+  }
 }
 
 TEST_CASE("buckling: rectangles of five aspect ratios", "[in_plane]") {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 #include <Eigen/Geometry>
+#include <map>
 #include <numbers>
 
 #include "cases/driver/run.hpp"
@@ -27,6 +28,9 @@ struct Cracked {
   bool held_in_plane = false;  // by these
   std::string more_cracks = {};
   std::string section = "young = 1.0\npoisson = 0.3";
+  std::string discretization = {};  // further keys
+  std::string analysis = {};        // likewise
+  std::string load_cases = {};      // in place of moment and traction
 
   std::string toml() const {
     const Eigen::Rotation2Dd whole(turn * std::numbers::pi / 180), own(angle * std::numbers::pi / 180);
@@ -39,9 +43,9 @@ struct Cracked {
     std::string text = fmt::format(
         "[section]\n{}\nthickness = {}\n[geometry]\noutline = {{ polygon = [{}, {}, {}, {}], edges = [\"bottom\", "
         "\"right\", \"top\", \"left\"] }}\ncracks = [[{}, {}]{}]\n[cracks]\ncontact = {}\n[discretization]\nspacing = "
-        "{}\nformulation = \"galerkin\"\n",
+        "{}\nformulation = \"galerkin\"\n{}",
         section, thickness, at({-a, -a}), at({a, -a}), at({a, a}), at({-a, a}), at(middle - half), at(middle + half),
-        more_cracks, contact, spacing);
+        more_cracks, contact, spacing, discretization);
     text += pressure != 0 ? fmt::format(
                                 "[[support]]\nkind = \"simply_supported_hard\"\nin_plane = \"{}\"\nedges = "
                                 "[\"left\", \"right\", \"bottom\", \"top\"]\n[[load]]\nkind = "
@@ -49,6 +53,8 @@ struct Cracked {
                                 held_in_plane ? "fixed" : "free", pressure)
                           : fmt::format("[[support]]\nkind = \"pinned\"\npoints = [{}, {}, {}]\n", at({-a, -a}),
                                         at({a, -a}), at({a, a}));
+    if (!load_cases.empty())
+      text += fmt::format("[[support]]\nkind = \"in_plane\"\npoints = [{}, {}]\n", at({0, -a}), at({spacing, -a}));
     if (moment != 0)
       text += fmt::format("[[load]]\nkind = \"edge_moment\"\nedges = [\"bottom\", \"top\"]\nvalue = {}\n", moment);
     if (traction != 0)
@@ -56,7 +62,7 @@ struct Cracked {
           "[[support]]\nkind = \"in_plane\"\npoints = [{}, {}]\n[[load]]\nkind = \"edge_traction\"\nedges = "
           "[\"bottom\", \"top\"]\nvalue = {}\n",
           at({0, -a}), at({spacing, -a}), traction);
-    return text + "[analysis]\nkind = \"static\"\n[srif]\n";
+    return text + "[analysis]\nkind = \"static\"\n" + analysis + "[srif]\n" + load_cases;
   }
 };
 
@@ -283,4 +289,134 @@ kind = "static"
   CHECK(summary.contact->closed_share > 0.9);
   CHECK(summary.contact->largest_pressure > 0.3);
   CHECK(summary.contact->largest_pressure < 3);
+}
+
+namespace {
+
+/// A simply supported square that nothing lets follow in its plane, under a pressure in E (h / a)^4.
+Cracked pane(double pressure, bool large_deflections = true, bool contact = true) {
+  const double h = 0.04;
+  Cracked result{.thickness = h, .length = 0.3, .spacing = 1.0 / 30, .moment = 0, .contact = contact};
+  result.pressure = pressure * std::pow(2 * h, 4), result.held_in_plane = true;
+  result.discretization = "refine_tips = true\ntip_spacing = 0.002\n";
+  result.analysis = large_deflections ? "nonlinear = true\ntolerance = 1e-9\n" : "tolerance = 1e-10\n";
+  return result;
+}
+
+double sum_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double one : values) sum += one;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("contact: with large deflections small loads are those of linear theory", "[in_plane]") {
+  // membrane forces of contact and stretching act on the deflections to the first order of the load
+  const Run linear(pane(1e-6, false)), small(pane(1e-6));
+  check_complementarity(small);
+  const double force = sum_of(linear.column("pressure_bottom"));
+  CHECK(sum_of(small.column("pressure_bottom")) == Approx(force).epsilon(1e-5));
+  for (const std::size_t which : {0, 1}) {
+    CHECK(small.tip(which).K1 == Approx(linear.tip(which).K1).epsilon(1e-5));
+    CHECK(small.tip(which).membrane->N[0] == Approx(linear.tip(which).membrane->N[0]).epsilon(1e-5));
+  }
+  // and ten times the load has ten times the difference
+  const auto off = [&](double load) {
+    return sum_of(Run(pane(load)).column("pressure_bottom")) / (1e6 * load * force) - 1;
+  };
+  CHECK(off(1e-3) / off(1e-4) == Approx(10).epsilon(0.1));  // 10.02
+}
+
+TEST_CASE("contact: large deflections hold the crack open where N1 > 6 |K1| / h", "[in_plane]") {
+  const auto energies = [](const Run& run) {
+    std::map<std::string, double> result;
+    for (const auto& [name, value] : run.summary.energy) result[name] = value;
+    return result;
+  };
+  const double h = 0.04;
+  const Run closed(pane(0.6)), open(pane(2.8)), wide(pane(19));  // deflections of 0.4, 1, 2 thicknesses
+  for (const Run* one : {&closed, &open, &wide}) {
+    check_complementarity(*one);
+    auto energy = energies(*one);
+    CHECK(energy["strain"] == Approx(energy["external_work"]).epsilon(0.01));  // 0.6 %
+    CHECK(energy["strain"] == Approx(energy["bending"] + energy["stretching"]));
+  }
+  CHECK(closed.summary.contact->closed_share == Approx(1));
+  CHECK(closed.tip(0).membrane->N[0] == Approx(6 * closed.tip(0).K1 / h));
+  CHECK(wide.summary.contact->closed_share == 0);
+  for (const double load : {2.8, 19.0}) {
+    const Run& with = load < 10 ? open : wide;
+    const Run without(pane(load, true, false));
+    for (const std::size_t which : {0, 1}) {
+      const auto &one = with.tip(which), &other = without.tip(which);
+      const bool apart = other.membrane->N[0] > 6 * std::abs(other.K1) / h;
+      CHECK(apart == (with.summary.contact->closed_share == 0));
+      if (!apart) continue;
+      CHECK(one.K1 == Approx(other.K1).epsilon(1e-6));
+      CHECK(one.membrane->N[0] == Approx(other.membrane->N[0]).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("contact: large deflections go with the plate and its sides", "[in_plane]") {
+  const Run up(pane(0.6)), down(pane(-0.6));
+  for (const std::size_t which : {0, 1}) {
+    CHECK(down.tip(which).K1 == Approx(-up.tip(which).K1).epsilon(1e-9));
+    CHECK(down.tip(which).membrane->N[0] == Approx(up.tip(which).membrane->N[0]).epsilon(1e-9));
+  }
+  CHECK(largest(up.column("pressure_bottom")) == Approx(largest(down.column("pressure_top"))).epsilon(1e-9));
+  auto plate = pane(0.6);
+  plate.turn = 45;
+  const Run turned(plate);
+  CHECK(turned.tip(0).K1 == Approx(up.tip(0).K1).epsilon(5e-3));
+}
+
+TEST_CASE("contact: a load case is what it is alone, a combination what its loads are together", "[in_plane]") {
+  const bool large_deflections = GENERATE(false, true);
+  const std::string analysis =
+      large_deflections ? "nonlinear = true\ntolerance = 1e-10\n" : "method = \"direct\"\ntolerance = 1e-12\n";
+  const std::string section = large_deflections ? "young = 1e6\npoisson = 0.3" : "young = 1.0\npoisson = 0.3";
+  const std::string points = "refine_tips = true\ntip_spacing = 0.004\n";
+  const auto with = [&](double moment, double traction) {
+    return Run(Cracked{.length = 0.3,
+                       .moment = moment,
+                       .traction = traction,
+                       .section = section,
+                       .discretization = points,
+                       .analysis = analysis});
+  };
+  Cracked plate{.length = 0.3, .moment = 0, .section = section, .discretization = points, .analysis = analysis};
+  plate.load_cases =
+      "[[case]]\nname = \"bending\"\nload = [{ kind = \"edge_moment\", edges = [\"bottom\", \"top\"], value = 1.0 }]\n"
+      "[[case]]\nname = \"tension\"\nload = [{ kind = \"edge_traction\", edges = [\"bottom\", \"top\"], value = 30.0 "
+      "}]\n[[combination]]\nname = \"both\"\nof = { bending = 1, tension = 1 }\n[[combination]]\nname = \"back\"\nof = "
+      "{ bending = -2, tension = 0.5 }\n";
+  const Run all(plate);
+  const auto& found = all.summary.load_cases;
+  REQUIRE(found.size() == 4);
+  const auto& envelope = all.summary.envelope;
+  CHECK(std::ranges::any_of(envelope, [](const auto& one) { return one.quantity == "N1" && one.of == "back"; }));
+  CHECK_FALSE(found[2].superposed());
+  CHECK(found[0].contact->closed_share == Approx(1));
+  CHECK(found[1].contact->closed_share == 0);
+  CHECK(found[2].contact->closed_share > 0.1);
+  CHECK(found[2].contact->closed_share < 0.9);
+  const std::vector<std::pair<double, double>> loads{{1, 0}, {0, 30}, {1, 30}, {-2, 15}};
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const auto [moment, traction] = loads[i];
+    if (moment == 0) continue;
+    const Run alone = with(moment, traction == 0 ? 1e-12 : traction);  // with the same supports
+    INFO(found[i].name << ", large deflections " << large_deflections);
+    const auto &ours = *post::recommended(found[i].srif).front(), &theirs = alone.tip(0);
+    CHECK(ours.K1 == Approx(theirs.K1).epsilon(1e-9));
+    CHECK(ours.membrane->N[0] == Approx(theirs.membrane->N[0]).epsilon(1e-9));
+    CHECK(found[i].contact->closed_share == Approx(alone.summary.contact->closed_share));
+    CHECK(found[i].contact->largest_pressure == Approx(alone.summary.contact->largest_pressure).epsilon(1e-9));
+    CHECK(found[i].strain_energy == Approx(found[i].external_work).epsilon(1e-3));
+  }
+  const auto table = std::ranges::find(all.results.tables, "contact", &std::pair<std::string, post::Table>::first);
+  REQUIRE(table != all.results.tables.end());
+  CHECK(table->second.columns.back() == "case");
+  CHECK(std::get<std::string>(table->second.rows.back().back()) == "back");
 }

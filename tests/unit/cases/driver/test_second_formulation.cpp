@@ -75,3 +75,25 @@ TEST_CASE("second formulation: what the other one cannot state is refused before
                     Contains("support[0].kind: srif.second_formulation: a layer outside the plate has no meaning"));
   CHECK(folder.entries() == 0);
 }
+
+TEST_CASE("second formulation: N1 and N2 of loads in the plane are compared too") {
+  const auto file = case_text::read(
+      case_text::plain + "[srif]\nmethods = [\"domain_integral\"]\nsecond_formulation = true\n[output]\nfields = []\n",
+      {"discretization.spacing=0.025", "discretization.formulation=galerkin", "support[0].in_plane=\"fixed\"",
+       "load=[{kind='edge_traction',edges=['bottom','top'],value=2}]"});
+  const small_run::TemporaryFolder folder;
+  const auto summary = cases::run(file, {folder.path(), true});
+  const auto alone = nlohmann::json::parse(small_run::text_of(folder / "ordinary/summary.json"));
+  REQUIRE(summary.srif.size() == 2);
+  for (const auto& srif : summary.srif) {
+    REQUIRE(srif.second);
+    REQUIRE(srif.second->in_plane);
+    const auto& [N, difference] = *srif.second->in_plane;
+    CHECK(N[0] == alone["srif"][srif.tip]["N1"].get<double>());
+    CHECK(difference == Approx(std::abs(srif.membrane->N[0] - N[0]) / N[0]));
+    CHECK((difference > 0.001 && difference < 0.01));  // measured 0.0033, 0.0053
+    CHECK(*srif.membrane->errors[0] >= std::abs(srif.membrane->N[0] - N[0]));
+  }
+  const auto json = nlohmann::json::parse(small_run::text_of(folder / "summary.json"));
+  CHECK(json["srif"][0]["second_formulation"]["N1"] == summary.srif[0].second->in_plane->N[0]);
+}

@@ -36,7 +36,7 @@ TEST_CASE("orthotropic sections are read, written again and checked") {
   expect(text, ":3", "section.orthotropic", "bonds share their weights", {"discretization.formulation=ordinary"});
 }
 
-TEST_CASE("sections of plies are symmetric, and their thickness is the plies'") {
+TEST_CASE("sections of plies: their thickness is the plies', and those that are not symmetric are coupled") {
   const auto ply = [](const std::string& more) { return "{ " + carbon + ", " + more + " }"; };
   const auto content =
       read(section("plies = [" + ply("thickness = 0.1, angle = 90") + ", " + ply("thickness = 0.3, density = 7") +
@@ -45,8 +45,14 @@ TEST_CASE("sections of plies are symmetric, and their thickness is the plies'") 
   CHECK(content.section.thickness == Approx(0.5));
   CHECK(*content.section.plies[1].density == 7);
   CHECK(read(cases::resolved_toml(content)).content.section.plies.size() == 3);
-  expect(section("plies = [" + ply("thickness = 0.1, angle = 45") + ", " + ply("thickness = 0.1, angle = -45") + "]"),
-         ":2", "section.plies", "must be symmetric about the middle");
+  CHECK_FALSE(content.coupled());
+  const auto angle_ply =
+      section("plies = [" + ply("thickness = 0.1, angle = 45") + ", " + ply("thickness = 0.1, angle = -45") + "]");
+  CHECK(read(angle_ply).content.coupled());
+  expect(angle_ply + "[srif]\n", ":16", "srif", "make section.plies symmetric");
+  const auto moves = problems(angle_ply, {"analysis.kind=frequencies", "-load", "section.density=1"});
+  REQUIRE(moves.size() == 1);
+  CHECK_THAT(moves[0].what, Catch::Contains("make plies symmetric"));
   expect(section("plies = [" + ply("thickness = 0.1") + "]\nthickness = 0.1"), ":3", "section.thickness",
          "is used with one material over the thickness only");
 }

@@ -142,6 +142,30 @@ TEST_CASE("load cases: twice the spacing and the other formulation bound the err
   }
 }
 
+TEST_CASE("load cases: twice the spacing bounds the errors of N1 and N2 of each, and combinations have their share") {
+  const std::string pulled = cases_of_three +
+                             "[[case]]\nname = \"pull\"\n[[case.load]]\nkind = \"edge_traction\"\n"
+                             "edges = [\"bottom\", \"top\"]\nvalue = 2.0\n"
+                             "[[combination]]\nname = \"half\"\nof = { pull = 0.5, dead = 1 }\n";
+  const std::vector<std::string> fine{"discretization.spacing=0.05", "discretization.refine_tips=false",
+                                      "geometry.cracks=[[[-0.5,0.0],[0.5,0.0]]]", "support[0].in_plane=\"fixed\""};
+  auto settings = fine;
+  settings.emplace_back("srif.richardson=true");
+  const auto all = run(pulled, "galerkin", settings), without = run(pulled, "galerkin", fine);
+  const auto &pull = all.summary.load_cases[3].srif, &half = all.summary.load_cases[5].srif;
+  const auto& own = without.summary.load_cases[3].srif;
+  REQUIRE(!pull.empty());
+  bool wider = false;
+  for (std::size_t i = 0; i < pull.size(); ++i) {
+    REQUIRE(pull[i].membrane);
+    const auto &error = pull[i].membrane->errors[0], &before = own[i].membrane->errors[0];
+    if (!error || !before) continue;
+    wider = wider || *error > 1.01 * *before;
+    CHECK(*half[i].membrane->errors[0] >= 0.5 * *error * (1 - 1e-9));
+  }
+  CHECK(wider);
+}
+
 TEST_CASE("load cases: by conjugate gradients as exactly as these are asked for") {
   const std::vector<std::string> cg{"discretization.spacing=0.1", "analysis.method=cg", "analysis.tolerance=1e-9"};
   const auto direct = run(cases_of_three, "galerkin", {"discretization.spacing=0.1"});

@@ -5,6 +5,7 @@
 #include "cases/driver/run.hpp"
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/outputs.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "post/files/sinks.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
@@ -117,11 +118,11 @@ TEST_CASE("in the plane: factors that are small beside those of earlier times st
   std::vector<double> largest;
   const cases::MembraneFactorsWanted wanted{file.content.srif, ready.membrane_methods, true, &largest};
   const auto load = ready.membrane->total_load();
-  const auto first = cases::membrane_results(*ready.membrane, state, load, wanted);
+  const auto first = cases::membrane_results(*ready.membrane, state, load, {}, wanted);
   REQUIRE(!largest.empty());
   const double before = largest[0];
   const plate::State small = 0.01 * state;
-  const auto second = cases::membrane_results(*ready.membrane, small, 0.01 * load, wanted);
+  const auto second = cases::membrane_results(*ready.membrane, small, 0.01 * load, {}, wanted);
   CHECK(largest[0] == before);
   for (std::size_t i = 0; i < first.factors.size(); ++i) {
     CHECK(second.factors[i].K1 == Approx(0.01 * first.factors[i].K1));

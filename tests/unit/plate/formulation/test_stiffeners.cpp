@@ -12,7 +12,7 @@ namespace {
 
 ElasticSupport of(const Stiffener& beam, const geometry::Tessellation& cells) {
   ElasticSupportSum sum(cells.positions.size());
-  add_stiffener(beam, cells, sum);
+  add_stiffener(beam, PlateLaw::bending, cells, sum);
   return std::move(sum).taken("stiffener0", std::nullopt, false);
 }
 

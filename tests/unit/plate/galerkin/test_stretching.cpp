@@ -86,6 +86,34 @@ TEST_CASE("stretching: a flat plate has the energy of its plane, and the geometr
   }
 }
 
+TEST_CASE("stretching: held heat has the stiffness of the membrane forces that the free strains would need") {
+  // heat that is the same everywhere, held: the forces of minus the displacements that it would give freely
+  constexpr double free = 0.02;
+  for (const auto& cells : gp::scenes()) {
+    const auto families = gp::families(cells);
+    const PointSections sections(membrane());
+    const GalerkinStretching stretching(families, sections);
+    const auto points = families.areas.size();
+    State pressed = zero_state(points);
+    for (std::size_t k = 0; k < points; ++k)
+      pressed.col(Eigen::Index(k)) << 0, free * cells.positions[k].y(), -free * cells.positions[k].x();
+    const Eigen::MatrixXd held = dense(
+                              stretching.stiffness_of_heat(Eigen::VectorXd::Constant(Eigen::Index(points), free))),
+                          expected = dense(stretching.geometric_stiffness(pressed));
+    CHECK((held - expected).norm() < 1e-10 * expected.norm());
+    // of one point alone: half its product with deflections is the energy of the squares of its slope
+    Eigen::VectorXd one = Eigen::VectorXd::Zero(Eigen::Index(points));
+    one[Eigen::Index(points / 2)] = free;
+    const State w = gp::random_state(points, 3);
+    const auto stretch = stretching.stretch(w);
+    const LocalSection& section = sections[points / 2];
+    const double stored =
+        -families.areas[points / 2] * free *
+        (section.bending * Eigen::Vector3d(1, 1, 0)).dot(stretch.strains.col(Eigen::Index(points / 2)));
+    CHECK(w.cwiseProduct(product(stretching.stiffness_of_heat(one), w)).sum() / 2 == Approx(stored).epsilon(1e-10));
+  }
+}
+
 TEST_CASE("stretching: a plate that is tilted and moves as a rigid body has no strain") {
   // w = a . x, u = -a (a . x) / 2: moderate rotations
   const Eigen::Vector2d a(0.3, -0.2);

@@ -31,7 +31,32 @@ TEST_CASE("temperatures are refused where a plate could not bend freely, all rea
   const auto varies = problems(turned + "[[load]]\nkind = \"temperature\"\nexpression = \"20 * x\"\n");
   REQUIRE(varies.size() == 1);
   CHECK(varies[0].key == "load[1].expression");
+  const auto mean_varies = problems(turned + "[[load]]\nkind = \"temperature\"\nmean = \"20 * x\"\n");
+  REQUIRE(mean_varies.size() == 1);
+  CHECK(mean_varies[0].key == "load[1].mean");
   expect(plain + load, "--set growth.fracture_energy", "growth", "no account of temperature",
          {"section.thermal_expansion=1e-5", "growth.fracture_energy=1", "section.density=1", "analysis.kind=dynamic",
           "analysis.duration=1"});
+}
+
+TEST_CASE("a mean temperature: a number or an expression, alone or beside the difference of the faces") {
+  const std::vector<std::string> settings{"section.thermal_expansion=1e-5", "support[0].in_plane=\"fixed\""};
+  const std::string load = "[[load]]\nkind = \"temperature\"\n";
+  for (const std::string good : {"mean = 20", "mean = -20.5\nvalue = 3", "mean = \"20 * x\"\nexpression = \"y\""}) {
+    CAPTURE(good);
+    CHECK(problems(plain + load + good, settings).empty());
+    const auto once = cases::resolved_toml(read(plain + load + good, settings).content);
+    const auto again = read(once).content;
+    CHECK(cases::resolved_toml(again) == once);
+    CHECK(again.loads[1].in_plane());
+  }
+  expect(plain + load + "mean = 0\n", ":20", "load[1].mean", "is zero", settings);
+  expect(plain + load + "mean = \"20 * z\"\n", ":20", "load[1].mean", "\"z\"", settings);
+  expect(plain + load, ":18", "load[1].value", "is missing", settings);
+  expect(with_line(plain, 15, "value = 1\nmean = 3"), ":16", "load[0].mean", "kind");
+  auto moving = settings;
+  for (const char* more :
+       {"analysis.kind=dynamic", "analysis.duration=1", "analysis.nonlinear=true", "section.density=1"})
+    moving.emplace_back(more);
+  expect(plain + load + "mean = 20\n", "--set analysis.nonlinear", "analysis.nonlinear", "not in motion yet", moving);
 }

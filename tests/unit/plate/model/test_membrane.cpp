@@ -39,6 +39,26 @@ TEST_CASE("a problem in its plane: supports by what they hold there, loads that 
   CHECK_FALSE(loaded_in_plane(problem));
 }
 
+TEST_CASE("beams act in the plane by their axial stiffness, and couple where they are eccentric") {
+  Problem problem;
+  Stiffener bends, pulls, rib;
+  bends.bending = 1, bends.eccentricity = 0.1;
+  pulls.axial = 2, pulls.mass = 3;
+  rib.axial = 4, rib.eccentricity = -0.1;
+  problem.stiffeners = {bends, pulls};
+  CHECK_FALSE(problem.coupled());
+  CHECK_FALSE(has_plane(problem));
+  problem.stiffeners.push_back(rib);
+  CHECK(problem.coupled());
+  CHECK(has_plane(problem));
+  const auto in_plane = membrane_of(problem).stiffeners, between = coupling_of(problem).stiffeners;
+  REQUIRE(in_plane.size() == 2);
+  CHECK(in_plane[0].axial == 2);
+  CHECK(in_plane[0].mass == 0);
+  REQUIRE(between.size() == 1);
+  CHECK(between[0].axial == 4);
+}
+
 TEST_CASE("a section in its plane: forces by strains, no shear and no layer") {
   Section section{200, 0.25, 0.1};
   const LocalSection bent(section);

@@ -80,6 +80,31 @@ TEST_CASE("section: plies by classical lamination") {
   CHECK(heavy.rotary == Approx(2 * (part(0.4) - part(0.2)) + 20 * part(0.2)));
 }
 
+TEST_CASE("section: plies that are not symmetric couple forces and curvatures") {
+  const double rest = 1 - 0.09 * 10 / 140;
+  const auto by = [](Section s, plate::PlateLaw law) {
+    s.law = law;
+    return LocalSection(s);
+  };
+  // 0/90: A11 = (Q11 + Q22) h / 2, B11 = (Q22 - Q11) h^2 / 8 = -B22, and none of Q12 and Q66
+  const auto cross = of_plies({ply(0, 0.1), ply(90, 0.1)});
+  const auto A = by(cross, plate::PlateLaw::membrane).bending, B = by(cross, plate::PlateLaw::coupling).bending;
+  CHECK(A(0, 0) == Approx((140 + 10) * 0.1 / rest).epsilon(1e-13));
+  CHECK(A(2, 2) == Approx(5 * 0.2).epsilon(1e-13));
+  CHECK(B(0, 0) == Approx((10 - 140) * 0.04 / 8 / rest).epsilon(1e-13));
+  CHECK(B(1, 1) == Approx(-B(0, 0)).epsilon(1e-13));
+  CHECK(std::abs(B(0, 1)) + std::abs(B(2, 2)) + std::abs(B(0, 2)) < 1e-13 * A(0, 0));
+  CHECK(cross.couples());
+  CHECK(of_plies({ply(45, 0.1), ply(-45, 0.1)}).couples());
+  CHECK_FALSE(of_plies({ply(30, 0.1), ply(90, 0.2), ply(-150, 0.1)}).couples());
+  CHECK_FALSE(Section{1000, 0.3, 0.1, 5.0 / 6, 2}.couples());
+  CHECK(by({1000, 0.3, 0.1, 5.0 / 6, 2}, plate::PlateLaw::coupling).bending.isZero(0));
+  auto heavy = of_plies({ply(0, 0.1), ply(0, 0.1)});
+  CHECK_FALSE(heavy.couples());
+  heavy.plies[0].density = 20;
+  CHECK(heavy.couples());
+}
+
 TEST_CASE("section: regions and factors say what it is at a place") {
   Section s{1000, 0.3, 0.1, 5.0 / 6, 2};
   s.regions.push_back({geometry::Circle{{0, 0}, 0.5, ""}, 0.2, {}, {}, {}});

@@ -5,6 +5,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
@@ -96,4 +97,52 @@ TEST_CASE("contact of crack faces: nothing is pressed where all is open, or wher
   CHECK(found.closed_share() == 0);
   CHECK(found.least_opening() == Approx(2));
   CHECK(found.bending.norm() == 0);
+}
+
+TEST_CASE("contact of crack faces: with large deflections the state itself is complementary and in balance") {
+  const auto cracks =
+      GENERATE(as<std::string>(), "[[[-0.31,0.02],[0.33,0.1]]]", "[[[-0.5,0.0],[0.5,0.0]],[[0.0,0.0],[0.2,0.5]]]");
+  const double traction = GENERATE(0.0, -0.02);
+  INFO(cracks << ", traction " << traction);
+  const auto plates =
+      discretise(case_text::read(case_text::plain,
+                                 {"geometry.cracks=" + cracks, "cracks.contact=true", "discretization.spacing=0.1",
+                                  "discretization.refine_tips=false", "discretization.formulation=galerkin"})
+                     .content);
+  const auto &plate = *plates.plate, &membrane = *plates.membrane;
+  PlateLoads loads{plate.total_load(), zero_forces(plate.points())};
+  const double size = 0.05 * plate.section().thickness /
+                      AssembledPlate(plate, plate.constraints(), plate.stiffness())
+                          .solve({loads.across})
+                          .front()
+                          .row(0)
+                          .cwiseAbs()
+                          .maxCoeff();
+  loads.across *= size;
+  for (Eigen::Index k = 0; k < loads.in_plane.cols(); ++k) {  // pressed together along y, in balance
+    const double y = plate.cloud().positions[std::size_t(k)].y();
+    loads.in_plane(1, k) = -traction * size * y;
+  }
+  const auto found = StretchedPlate(plate, membrane).equilibrium(loads, {1e-9, {}});
+  REQUIRE(found.converged);
+  const auto pairs = plate.face_pairs();
+  REQUIRE(found.touching.faces.size() == pairs.size());
+  const double arm = plate.section().thickness / 2, motion = found.membrane.cwiseAbs().maxCoeff();
+  Forces on_plane;
+  membrane.internal_force(found.membrane, on_plane);
+  on_plane += found.stretch.forces + loads.in_plane;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& face = found.touching.faces[i];
+    const double middle = pairs[i].opening(found.membrane), slope = arm * pairs[i].opening(found.bending);
+    CHECK(std::abs(face.opening_top - middle - slope) < 1e-7 * motion);
+    CHECK(std::abs(face.opening_bottom - middle + slope) < 1e-7 * motion);
+    CHECK(std::min(face.opening_top, face.opening_bottom) > -1e-7 * motion);
+    CHECK(std::min(face.force_top, face.force_bottom) >= 0);
+    CHECK(face.opening_top * face.force_top == 0);
+    CHECK(face.opening_bottom * face.force_bottom == 0);
+    pairs[i].press((face.force_top + face.force_bottom) * pairs[i].length, on_plane);
+  }
+  CHECK(found.touching.largest_force() > 0);
+  pinned(membrane).fold(on_plane);
+  CHECK(on_plane.cwiseAbs().maxCoeff() < 1e-8 * found.touching.largest_force() * 0.1);
 }

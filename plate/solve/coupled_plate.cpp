@@ -1,0 +1,112 @@
+#include "plate/solve/coupled_plate.hpp"
+
+#include <stdexcept>
+
+#include "plate/formulation/formulation.hpp"
+#include "plate/solve/stretching.hpp"
+
+namespace plate {
+namespace {
+
+/// -C values of a symmetric matrix.
+Forces force_by(const PointMatrix& C, const State& values) {
+  Forces result = zero_like(values);
+  for (std::uint32_t k = 0; k < C.points(); ++k)
+    for (auto b = C.first[k]; b < C.first[k + 1]; ++b) {
+      const auto row = C.row[b];
+      result.col(row) -= C.block[b] * values.col(k);
+      if (row != k) result.col(k) -= C.block[b].transpose() * values.col(row);
+    }
+  return result;
+}
+
+/// The stiffness of both: points of the plate, then the same points in their plane.
+PointMatrix stacked_matrix(const PointMatrix& plate, const PointMatrix& plane, const PointMatrix& coupling) {
+  const auto points = std::uint32_t(plate.points());
+  PointMatrix result;
+  const auto take = [&](std::uint32_t row, const Eigen::Matrix3d& block) {
+    result.row.push_back(row), result.block.push_back(block);
+  };
+  struct Above {
+    std::uint32_t row;
+    std::size_t block;
+  };
+  std::vector<std::vector<Above>> above(points);  // by columns, ascending
+  for (std::uint32_t k = 0; k < points; ++k)
+    for (auto b = coupling.first[k]; b < coupling.first[k + 1]; ++b)
+      if (coupling.row[b] != k) above[coupling.row[b]].push_back({k, b});
+  for (std::uint32_t k = 0; k < points; ++k) {
+    for (auto b = plate.first[k]; b < plate.first[k + 1]; ++b) take(plate.row[b], plate.block[b]);
+    for (const auto& [row, b] : above[k]) take(points + row, coupling.block[b].transpose());
+    for (auto b = coupling.first[k]; b < coupling.first[k + 1]; ++b) take(points + coupling.row[b], coupling.block[b]);
+    result.first.push_back(result.row.size());
+  }
+  for (std::uint32_t k = 0; k < points; ++k) {
+    for (auto b = plane.first[k]; b < plane.first[k + 1]; ++b) take(points + plane.row[b], plane.block[b]);
+    result.first.push_back(result.row.size());
+  }
+  return result;
+}
+
+}  // namespace
+
+PointMatrix Formulation::coupling() const {
+  throw std::logic_error("a coupling was asked of a formulation that does not offer it");
+}
+
+/// The stiffness of stacked states.
+class CoupledPlate::Both : public Operator {
+public:
+  Both(const Formulation& plate, const Formulation& membrane, const PointMatrix& coupling)
+      : plate_(plate), membrane_(membrane), coupling_(coupling) {}
+
+  std::size_t points() const override { return 2 * plate_.points(); }
+  void internal_force(const State& state, Forces& forces) const override {
+    const State bending = of_plate(state), in_plane = of_plane(state);
+    Forces on_bending, on_membrane;
+    plate_.internal_force(bending, on_bending), membrane_.internal_force(in_plane, on_membrane);
+    forces = stacked(on_bending + force_by(coupling_, in_plane), on_membrane + force_by(coupling_, bending));
+  }
+  void absolute_product(const State& state, Forces& forces) const override {
+    PointMatrix sizes = coupling_;
+    for (auto& block : sizes.block) block = -block.cwiseAbs();
+    const State bending = of_plate(state), in_plane = of_plane(state);
+    Forces on_bending, on_membrane;
+    plate_.absolute_product(bending, on_bending), membrane_.absolute_product(in_plane, on_membrane);
+    forces = stacked(on_bending + force_by(sizes, in_plane), on_membrane + force_by(sizes, bending));
+  }
+  Forces diagonal() const override { return stacked(plate_.diagonal(), membrane_.diagonal()); }
+
+private:
+  const Formulation &plate_, &membrane_;
+  const PointMatrix& coupling_;
+};
+
+CoupledPlate::CoupledPlate(const Formulation& plate, const Formulation& membrane)
+    : plate_(plate), membrane_(membrane), coupling_(plate.coupling()) {
+  constraints_.add(plate.constraints(), 0);
+  constraints_.add(pinned(membrane), std::uint32_t(plate.points()));
+  constraints_.resolve();
+  both_ = std::make_unique<const Both>(plate, membrane, coupling_);
+  factor_ = std::make_unique<const AssembledPlate>(*both_, constraints_,
+                                                   stacked_matrix(plate.stiffness(), membrane.stiffness(), coupling_));
+}
+
+CoupledPlate::~CoupledPlate() = default;
+
+std::size_t CoupledPlate::factor_bytes() const {
+  return factor_->bytes();
+}
+
+CoupledEquilibrium CoupledPlate::equilibrium(const PlateLoads& loads, const StaticOptions& options) const {
+  CoupledEquilibrium result;
+  result.of_both = refined(*both_, constraints_, stacked(loads.across, loads.in_plane), options, *factor_);
+  result.bending = of_plate(result.of_both.state), result.membrane = of_plane(result.of_both.state);
+  result.on_bending = force_by(coupling_, result.membrane), result.on_membrane = force_by(coupling_, result.bending);
+  result.bending_energy = plate_.strain_energy(result.bending);
+  result.stretching_energy = membrane_.strain_energy(result.membrane);
+  result.coupling_energy = -result.on_bending.cwiseProduct(result.bending).sum();
+  return result;
+}
+
+}  // namespace plate

@@ -1,0 +1,45 @@
+#pragma once
+#include <memory>
+
+#include "plate/formulation/constraints.hpp"
+#include "plate/solve/factorised_plate.hpp"
+#include "plate/solve/large_deflections.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
+#include "plate/solve/statics.hpp"
+
+namespace plate {
+
+/// Equilibrium of a plate whose bending and stretching act on each other.
+struct CoupledEquilibrium {
+  StaticSolution of_both;          // stacked states
+  State bending, membrane;         // the same, one by one
+  Forces on_bending, on_membrane;  // of the plane on the plate, and of the plate on its plane
+  double bending_energy = 0, stretching_energy = 0;
+  double coupling_energy = 0;  // of kappa . B epsilon, of either sign
+
+  double strain_energy() const { return bending_energy + stretching_energy + coupling_energy; }
+};
+
+/// A plate and the same points in their plane (PlateLaw::membrane) as one linear elastic body with the energy
+/// M . kappa / 2 + N . epsilon / 2 (theory.md, "Coupled sections"). The stiffness of both is factorised once.
+class CoupledPlate {
+public:
+  /// Both must outlive this. Pins hold the rigid motions in the plane that no support prevents.
+  /// @throws NumericalError  where the stiffness is not positive
+  CoupledPlate(const Formulation& plate, const Formulation& membrane);
+  ~CoupledPlate();
+
+  /// @throws NumericalError  where a number is not finite
+  CoupledEquilibrium equilibrium(const PlateLoads& loads, const StaticOptions& options) const;
+  std::size_t factor_bytes() const;
+
+private:
+  class Both;
+  const Formulation &plate_, &membrane_;
+  PointMatrix coupling_;
+  Constraints constraints_;
+  std::unique_ptr<const Both> both_;
+  std::unique_ptr<const AssembledPlate> factor_;
+};
+
+}  // namespace plate
