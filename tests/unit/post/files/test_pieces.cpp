@@ -46,6 +46,19 @@ TEST_CASE("pieces: every process writes one, and one file names them and what th
   CHECK(post::frames_in(folder.path()).empty());
 }
 
+TEST_CASE("pieces: the list names membrane forces where there are any") {
+  const TemporaryFolder folder;
+  thread_ranks::run(2, [&](const plate::Communicator& all) {
+    auto frame = small_run::frame(0, 0);
+    frame.in_plane = post::InPlaneFields{Eigen::Matrix2Xd::Zero(2, frame.state.cols()),
+                                         Eigen::Matrix3Xd::Zero(3, frame.state.cols())};
+    post::VtkSeries(folder.path(), small_run::mesh(), all).write(frame);
+  });
+  const auto named = arrays(text_of(folder / "fields_0000.pvtu"), "PDataArray");
+  CHECK(named.size() == 14);
+  CHECK((named == arrays(text_of(folder / "fields_0000_1.vtu"), "DataArray")));
+}
+
 TEST_CASE("pieces: points of others that only corners need are no cells") {
   const TemporaryFolder folder;
   auto mesh = small_run::mesh();

@@ -1,0 +1,126 @@
+// Loads in the plane at rest by several processes, as threads of one.
+#include <mutex>
+#include <set>
+
+#include "cases/driver/run.hpp"
+#include "post/files/results_in_memory.hpp"
+#include "post/files/summary.hpp"
+#include "post/files/table.hpp"
+#include "tests/unit/cases/case_text.hpp"
+#include "tests/unit/plate/model/thread_ranks.hpp"
+
+using namespace case_text;
+
+namespace {
+
+/// A strip in tension and bending, with an inclined crack.
+const std::vector<std::string> one_load{
+    "support=[{kind='simply_supported',edges=['bottom'],in_plane='normal'},{kind='simply_supported',edges=['top']},"
+    "{kind='in_plane',points=[[0,-1]]}]",
+    "geometry={outline={rectangle=[-0.5,-1,0.5,1]},cracks=[[[-0.25,-0.12],[0.25,0.17]]]}",
+    "load=[{kind='edge_traction',edges=['top'],value=1,shear=0.2},{kind='body_force',vector=[0.3,0.2]},"
+    "{kind='point_force',position=[0.3,0.3],vector=[0.2,0.1]},{kind='pressure',value=0.1}]",
+    "section.thickness=0.2",
+    "analysis={kind='static',method='cg',preconditioner='diagonal',tolerance=1e-10}",
+    "srif={}",
+    "output.probes={a=[0.3,0.2],b=[0,1]}"};
+
+/// The same under load cases, of which one does not act in the plane.
+std::vector<std::string> with_cases() {
+  auto result = one_load;
+  result.insert(result.end(), {"-load",
+                               "case=[{name='pull',load=[{kind='edge_traction',edges=['top'],value=1}]},"
+                               "{name='press',load=[{kind='pressure',value=0.1}]}]",
+                               "combination=[{name='both',of={pull=2,press=-1}}]"});
+  return result;
+}
+
+/// Position, u, v, Nxx, Nyy, Nxy of a vertex of the drawing.
+using Drawn = std::array<double, 7>;
+
+struct Found {
+  std::map<std::string, std::string> tables;
+  std::map<std::string, post::Table> numbers;
+  std::vector<std::set<Drawn>> frames;
+  std::vector<std::string> warnings;
+};
+
+std::set<Drawn> drawn(const post::ResultsInMemory::Fields& frame) {
+  const auto &x = frame.arrays.at("x").values, &u = frame.arrays.at("displacement").values,
+             &N = frame.arrays.at("membrane_forces").values;
+  std::set<Drawn> result;
+  for (std::size_t k = 0; 2 * k < x.size(); ++k)
+    result.insert({x[2 * k], x[2 * k + 1], u[2 * k], u[2 * k + 1], N[3 * k], N[3 * k + 1], N[3 * k + 2]});
+  return result;
+}
+
+/// Tables and warnings of the first process, and what all draw.
+Found found(const cases::CaseFile& file, int processes) {
+  Found result;
+  std::mutex one_by_one;
+  const auto run = [&](const plate::Communicator& all) {
+    post::ResultsInMemory own;
+    const auto summary = cases::run(file, {{}, true, &own, false, &all});
+    const std::lock_guard guard(one_by_one);
+    result.frames.resize(own.frames.size());
+    for (std::size_t i = 0; i < own.frames.size(); ++i) result.frames[i].merge(drawn(own.frames[i]));
+    if (all.rank() > 0) return;
+    result.warnings = summary.warnings;
+    for (const auto& [name, table] : own.tables)
+      result.tables[name] = post::csv_text(table), result.numbers[name] = table;
+  };
+  if (processes == 0)
+    run(plate::single_process());
+  else
+    thread_ranks::run(processes, run);
+  return result;
+}
+
+/// Largest difference of columns, relative to their largest value.
+double apart(const post::Table& one, const post::Table& other, const std::vector<std::string>& columns) {
+  double result = 0;
+  REQUIRE(one.rows.size() == other.rows.size());
+  for (const auto& column : columns) {
+    const auto at = one.column(column);
+    double largest = 0, difference = 0;
+    for (std::size_t i = 0; i < one.rows.size(); ++i) {
+      const auto *a = std::get_if<double>(&one.rows[i][at]), *b = std::get_if<double>(&other.rows[i][at]);
+      CHECK((a == nullptr) == (b == nullptr));  // a method may find no N2
+      if (a && b) largest = std::max(largest, std::abs(*a)), difference = std::max(difference, std::abs(*a - *b));
+    }
+    CHECK(largest > 0);
+    UNSCOPED_INFO(column << ": " << difference / largest);
+    result = std::max(result, difference / largest);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a plate in parts: loads in the plane beside bending, tables and fields of any number of processes") {
+  const bool cases = GENERATE(false, true), bonds = GENERATE(false, true);
+  auto settings = cases ? with_cases() : one_load;
+  for (const char* one : {bonds ? "discretization.formulation=ordinary" : "discretization.formulation=galerkin",
+                          bonds ? "discretization.spacing=0.03125" : "discretization.spacing=0.05"})
+    settings.emplace_back(one);
+  INFO((bonds ? "bonds" : "Galerkin") << (cases ? ", load cases" : ""));
+  const auto file = read(plain, settings);
+  const auto ordinary = found(file, 0), one = found(file, 1);
+  CHECK(one.tables.size() == (cases ? 5 : 4));
+  REQUIRE(one.frames.size() == (cases ? 3 : 1));
+  CHECK(one.frames.back().size() > 600);
+  for (const int processes : {2, 3, 4}) {
+    INFO(processes << " processes");
+    const auto many = found(file, processes);
+    CHECK(many.tables == one.tables);
+    CHECK(many.frames == one.frames);
+    CHECK(many.warnings == one.warnings);
+  }
+  const auto beside = [&](const char* table, const std::vector<std::string>& columns) {
+    return apart(ordinary.numbers.at(table), one.numbers.at(table), columns);
+  };
+  CHECK(beside("history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-13);  // measured 1.2e-14
+  CHECK(beside("probes", {"w", "u", "v"}) < 1e-11);                                   // measured 3.0e-13
+  CHECK(beside("srif", {"K1", "N1", "N2"}) < 1e-10);                                  // measured 6.9e-12
+  CHECK(beside("reactions", {"force"}) < 1e-12);                                      // measured 2.3e-14
+}
