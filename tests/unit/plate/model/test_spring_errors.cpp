@@ -31,7 +31,8 @@ TEST_CASE("stiffeners have one line, a stiffness, and no clamp") {
   problem.supports = {{SupportKind::clamped, {"left"}, {}}, {SupportKind::simply_supported, {"top"}, {}}};
   const auto count_of_errors = [&](double bending, double torsion, std::optional<double> shear,
                                    std::vector<std::string> edges) {
-    problem.stiffeners = {{bending, torsion, shear, 0, std::move(edges), {}}};
+    problem.stiffeners = {
+        {.bending = bending, .torsion = torsion, .shear = shear, .edges = std::move(edges), .along = {}}};
     return errors_in_springs(problem).size();
   };
   CHECK(count_of_errors(1, 0, 2, {"top"}) == 0);
