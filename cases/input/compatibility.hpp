@@ -55,6 +55,7 @@ enum class Part {
   layers,
   hubs,
   hubs_on_springs,
+  hubs_free_in_plane,
   nodes_on_edges,
   processes
 };

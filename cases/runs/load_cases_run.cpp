@@ -314,7 +314,8 @@ std::vector<std::string> LoadCases::warnings() const {
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
     tell(one.name, said);
     if (!ready_.membrane) continue;
-    if (!one.contact) tell(one.name, warnings_about_overlaps(one.srif, plate_.offers(plate::Feature::touching_faces)));
+    const bool may_touch = !content().coupled() && plate_.offers(plate::Feature::touching_faces);
+    if (!one.contact) tell(one.name, warnings_about_overlaps(one.srif, may_touch));
     const auto in_plane = of_loaded_tips(factors_in_plane_[i], stretched, h);
     auto of_factors = post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy());
     std::ranges::transform(of_factors, of_factors.begin(), of_plane);
@@ -355,7 +356,8 @@ void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now)
   steps.columns.emplace_back("case");
   summary.load_steps.columns = steps.columns;
   for (auto& row : steps.rows) row.emplace_back(one.name), summary.load_steps.rows.push_back(std::move(row));
-  for (const auto& line : warnings_about(found)) warnings_.push_back(fmt::format("{}: {}", one.name, line));
+  const double stored = plate::stored(*ready_.membrane, plane.heat, found.membrane);
+  for (const auto& line : warnings_about(found, stored)) warnings_.push_back(fmt::format("{}: {}", one.name, line));
   if (!found.converged)
     throw plate::NumericalError(fmt::format("{}, large deflections: {}", one.name, found.stop_reason));
   now.state = found.bending, now.in_plane->state = found.membrane;

@@ -93,8 +93,8 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
 post::Table load_steps(const std::vector<plate::LoadStep>& steps);
 
 /// Warnings about an equilibrium with large deflections that was not reached as loads grow, is not stable, or is beyond
-/// the theory.
-std::vector<std::string> warnings_about(const plate::LargeDeflections& found);
+/// the theory. `stored`: by heat.
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found, double stored);
 
 /// Checks a solution of a plate in its plane.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite

@@ -59,7 +59,7 @@ void LargeDeflectionRun::solve() {
                work = found.external_work + in_plane.stored;
   plate::Instant end{found.iterations, 0, found.bending, {}, 0, work, strain, 0, 0};
   end.stretched = &found.on_bending;
-  const double stretching = in_plane.summary.strain_energy;
+  const double stretching = in_plane.summary.strain_energy, stored = in_plane.stored;
   results_.in_plane(membrane, std::move(in_plane));
   if (content().faces_touch()) results_.touching(faces_found(found.touching, plate_));
   results_.sample(end, true);
@@ -71,7 +71,7 @@ void LargeDeflectionRun::solve() {
                     {"external_work", results_.external_work()}};
   if (strain == 0)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
-  outputs_.warn(warnings_about(found));
+  outputs_.warn(warnings_about(found, stored));
   if (!found.converged) throw plate::NumericalError("large deflections: " + found.stop_reason);
 }
 

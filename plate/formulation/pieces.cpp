@@ -170,6 +170,7 @@ AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& pie
 /// The conditions that supports, ties, foundations and springs set to the rigid motions of every piece.
 Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const AllFound& found,
                  PlateLaw law) {
+  constexpr double nothing = 1e-9;
   Grams gram;
   for (const auto& [number, one] : found) gram[number].setZero();
   const auto counts = [&](const Dof& dof) { return found.contains(piece_of[dof.point]); };
@@ -191,7 +192,7 @@ Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piec
     Eigen::Vector3d row = counts(follower) ? at(follower) : Eigen::Vector3d(0, 0, 0);
     for (; i < ties.size() && ties[i].follower == follower; ++i)
       if (counts(follower)) row -= scaled_factor(ties[i]) * at(ties[i].leader);
-    if (counts(follower)) add(follower, row);
+    if (row.norm() > nothing) add(follower, row);  // points of a rigid disc hinder no rigid motion
   }
   share(boundary.map, gram);
   for (auto& [number, own] : elastic(boundary, piece_of, at))

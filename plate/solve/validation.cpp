@@ -72,16 +72,18 @@ void check_two_level(const Formulation& plate, const Analysis& analysis, Validat
 /// measured 326 with cells (3,750 and 10,250 points), 380 to 420 with bonds over 3 spacings (1,600 to 6,400).
 void check_memory(const Formulation& plate, const Analysis& analysis, Validation& result) {
   constexpr double per_bond = 330;
-  if (!plate.problem().stretches || analysis.kind != Analysis::Kind::static_) return;
+  const auto& problem = plate.problem();
+  if (!(problem.stretches || problem.coupled()) || analysis.kind != Analysis::Kind::static_) return;
   const double bytes =
       per_bond * double(plate.bonds() + plate.fictitious_bonds()) * std::log2(double(plate.points()) + 2);
   const double there = free_memory(), spacing = plate.discretization().spacing;
   if (there > 0 && bytes > there)
     result.refusals.push_back(
         {Subject::spacing, 0,
-         fmt::format("{:g} given: large deflections of {} points take {:.3g} GB, {:.3g} GB are free; set `spacing` = "
-                     "{:.2g}",
-                     spacing, plate.points(), bytes / 1e9, there / 1e9, spacing * std::sqrt(bytes / there))});
+         fmt::format(
+             "{:g} given: a plate of {} points with its plane takes {:.3g} GB, {:.3g} GB are free; set `spacing` = "
+             "{:.2g}",
+             spacing, plate.points(), bytes / 1e9, there / 1e9, spacing * std::sqrt(bytes / there))});
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ function plate_section() {
 }
 
 const energy_names = {
-  strain: "strain energy", bending: "of it in bending", stretching: "of it in the plane", coupling: "of it by their coupling", attached: "of it in foundations, springs and stiffeners", kinetic: "kinetic energy", external_work: "work of the loads", dissipated: "taken by damping", fracture: "fracture energy", released: "released as the crack ran",
+  strain: "strain energy", bending: "of it in bending", stretching: "of it in the plane", coupling: "of it by their coupling", attached: "of it in foundations, springs and stiffeners", kinetic: "kinetic energy", external_work: "work of the loads", dissipated: "taken by damping and contact", contact: "of it by crack faces that meet", fracture: "fracture energy", released: "released as the crack ran",
   residual: "not accounted for", frozen: "left in pieces without bonds",
 };
 

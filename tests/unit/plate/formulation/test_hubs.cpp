@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/pieces.hpp"
 #include "plate/model/problem.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
@@ -63,4 +64,19 @@ TEST_CASE("hubs: without a stiffness they do not move, and do so with one") {
   CHECK(hubs_move(hubs(1.0, {}), PlateLaw::bending));
   CHECK(hubs_move(hubs({}, 0.0), PlateLaw::bending));
   CHECK(hubs_move(hubs({}, {}), PlateLaw::membrane));
+}
+
+TEST_CASE("hubs: those that are free in the plane hold nothing there") {
+  for (const bool fixed : {false, true}) {
+    const auto content =
+        case_text::read(case_text::plain,
+                        {"discretization.formulation=galerkin", "discretization.spacing=0.1", "geometry.cracks=[]",
+                         "support=[{ kind = 'hub', on = { circle = [0.3, 0.2, 0.25] }" +
+                             std::string(fixed ? ", in_plane = 'fixed'" : "") + " }]",
+                         "load=[{ kind = 'body_force', vector = [1, 0] }]"})
+            .content;
+    const auto membrane = discretise(content).membrane;
+    REQUIRE(membrane->pieces().size() == 1);
+    CHECK(membrane->pieces().front().free_modes == (fixed ? 0 : 3));
+  }
 }
