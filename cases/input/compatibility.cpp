@@ -201,6 +201,7 @@ const std::vector<Exclusion> excluded_pairs{
      "nodes at edges have no points that move as one body: choose \"images\""},
     {hubs_on_springs, motion, hub_springs, hub_inertia},
     {hubs_on_springs, frequencies, hub_springs, hub_inertia},
+    {hubs_on_springs, harmonic, hub_springs, hub_inertia},
     {hubs_on_springs, growth_from_rest_to_motion, hub_springs, hub_inertia},
     {hubs_free_in_plane, motion_in_plane, layer_kinds,
      "the mass of a disc that moves in its plane is not carried in motion yet: set in_plane = \"fixed\", or hold the "

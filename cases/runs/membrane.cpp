@@ -61,9 +61,11 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
               : fracture::of_all(membrane, post::srifs(membrane, *options, methods, state, all_rings, &heat, stretch));
     std::vector<double> none, &largest = largest_before ? *largest_before : none;
     if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
+    auto two = result.factors;  // there is no third one in the plane
+    for (auto& one : two) one.K3 = 0, one.errors[2] = 0, one.resolved[2] = true;
     for (const auto& some :
          {post::left_out(membrane.tips(), methods),
-          post::warnings_about_factors(result.factors, largest, membrane.section().thickness, membrane.remedy())})
+          post::warnings_about_factors(two, largest, membrane.section().thickness, membrane.remedy())})
       for (const auto& line : some) result.warnings.push_back(of_plane(line));
     post::require_finite(result.factors, where);
   }
@@ -127,7 +129,7 @@ std::vector<std::string> warnings_about(const plate::LargeDeflections& found, do
   if (!found.steps.empty() && !found.steps.back().stable)
     lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
   const double strain = found.bending_energy + found.membrane_energy,
-               apart = std::abs(found.external_work / strain - 1);
+               apart = std::abs(found.external_work - strain) / (strain + stored);
   if (strain > rounding * stored && !found.snapped() && apart > coarse)
     lines.push_back(
         fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "

@@ -81,6 +81,10 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (in_plane_) row.in_plane = &in_plane_->fields.displacement;
   outputs_.row(row, plate_);
   const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
+  if (in_plane_) {  // beside heat that holds the plate at rest its own energies are rounding
+    const double stored = in_plane_->stored;
+    terms.energy += stored, terms.discrete += stored, terms.work += stored;
+  }
   if (content().moves()) energy_balance_.check(terms, when);
   if (content().moves() && last) energy_balance_.check(terms, when);  // no further row looks back at this one
   reactions_.add(now, growth_ ? growth_->plate() : plate_);

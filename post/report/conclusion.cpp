@@ -73,7 +73,7 @@ std::vector<Point> singular(const plate::Formulation& plate) {
   std::vector<Point> result;
   for (const auto& tip : plate.tips()) result.push_back(tip.position);
   for (const auto& holder : plate.boundary().holders)
-    if (holder.position) result.push_back(*holder.position);
+    if (holder.position && holder.kind != plate::SupportKind::hub) result.push_back(*holder.position);
   for (const auto& support : plate.problem().supports)
     if (support.held_in_plane() != plate::InPlane::free)
       result.insert(result.end(), support.points.begin(), support.points.end());

@@ -130,7 +130,12 @@ TEST_CASE("a linear run at rest tells by how much linear theory is off, where th
   CHECK(*deep.linear_theory_off < off * 2);
   CHECK_FALSE(run_of("", {"load[0].value=0.01"}).linear_theory_off);
   CHECK_FALSE(run_of("", {"load[0].value=1e4"}).linear_theory_off);
-  CHECK_FALSE(run_of("", {"load[0].value=1", "discretization.formulation=ordinary"}).linear_theory_off);
+  const auto bonds = run_of("", {"load[0].value=1", "discretization.formulation=ordinary"});
+  CHECK(bonds.linear_theory_off.value() > 0.1);
+  const std::string press = "load=[{kind='pressure',value=0.001},{kind='edge_traction',edges=['right'],value=-0.1}]";
+  const auto pressed = run_of("", {press, "support[0].in_plane=\"normal\"", "support[0].edges=[\"left\",\"bottom\"]"});
+  REQUIRE(pressed.linear_theory_off);  // however small deflections are
+  CHECK(*pressed.linear_theory_off < 0);
   const auto of_cases = run_of(
       "[[case]]\nname = \"a\"\nload = [{ kind = \"pressure\", value = 0.1 }]\n"
       "[[case]]\nname = \"b\"\nload = [{ kind = \"pressure\", value = 1 }]\n",

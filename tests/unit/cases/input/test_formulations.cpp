@@ -114,7 +114,7 @@ TEST_CASE("auto: what it takes bonds for is what the Galerkin plate refuses, or 
   }
 }
 
-TEST_CASE("bonds carry loads in the plane with bending; nodes on edges refuse what couples both") {
+TEST_CASE("bonds carry loads in the plane with bending, nodes on edges refuse what couples both") {
   const std::vector<std::string> pulled{"load=[{kind='edge_traction',edges=['right'],value=1}]",
                                         "support[0].in_plane=\"fixed\"", "discretization.formulation=ordinary"};
   CHECK(problems(plain, pulled).empty());
