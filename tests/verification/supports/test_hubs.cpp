@@ -166,7 +166,7 @@ TEST_CASE("a hub in the middle of a clamped disc carries what the annulus of Min
   }
 }
 
-TEST_CASE("a hub that is free to turn takes no moment; a spring takes its share between both limits") {
+TEST_CASE("a hub that is free to turn takes no moment, a spring takes its share between both limits") {
   for (const auto& [kind, hole] : {std::pair(&galerkin, true), {&galerkin, false}, {&ordinary, false}}) {
     const auto moment = [&](const std::optional<double>& k_phi) {
       auto c = turned_square(0, {{}, k_phi}, hole);
