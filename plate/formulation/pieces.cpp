@@ -170,7 +170,7 @@ AllFound found_in(const Boundary& boundary, const std::vector<std::int64_t>& pie
 /// The conditions that supports, ties, foundations and springs set to the rigid motions of every piece.
 Grams conditions(const Boundary& boundary, const std::vector<std::int64_t>& piece_of, const AllFound& found,
                  PlateLaw law) {
-  constexpr double nothing = 1e-9;
+  constexpr double nothing = 1e-5;  // rows of ties to points on circles are 1e-7
   Grams gram;
   for (const auto& [number, one] : found) gram[number].setZero();
   const auto counts = [&](const Dof& dof) { return found.contains(piece_of[dof.point]); };
