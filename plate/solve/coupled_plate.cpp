@@ -8,18 +8,6 @@
 namespace plate {
 namespace {
 
-/// -C values of a symmetric matrix.
-Forces force_by(const PointMatrix& C, const State& values) {
-  Forces result = zero_like(values);
-  for (std::uint32_t k = 0; k < C.points(); ++k)
-    for (auto b = C.first[k]; b < C.first[k + 1]; ++b) {
-      const auto row = C.row[b];
-      result.col(row) -= C.block[b] * values.col(k);
-      if (row != k) result.col(k) -= C.block[b].transpose() * values.col(row);
-    }
-  return result;
-}
-
 /// The stiffness of both: points of the plate, then the same points in their plane.
 PointMatrix stacked_matrix(const PointMatrix& plate, const PointMatrix& plane, const PointMatrix& coupling) {
   const auto points = std::uint32_t(plate.points());
@@ -65,15 +53,15 @@ public:
     const State bending = of_plate(state), in_plane = of_plane(state);
     Forces on_bending, on_membrane;
     plate_.internal_force(bending, on_bending), membrane_.internal_force(in_plane, on_membrane);
-    forces = stacked(on_bending + force_by(coupling_, in_plane), on_membrane + force_by(coupling_, bending));
+    forces = stacked(on_bending - product(coupling_, in_plane), on_membrane - product(coupling_, bending));
   }
   void absolute_product(const State& state, Forces& forces) const override {
     PointMatrix sizes = coupling_;
-    for (auto& block : sizes.block) block = -block.cwiseAbs();
+    for (auto& block : sizes.block) block = block.cwiseAbs().eval();
     const State bending = of_plate(state), in_plane = of_plane(state);
     Forces on_bending, on_membrane;
     plate_.absolute_product(bending, on_bending), membrane_.absolute_product(in_plane, on_membrane);
-    forces = stacked(on_bending + force_by(sizes, in_plane), on_membrane + force_by(sizes, bending));
+    forces = stacked(on_bending + product(sizes, in_plane), on_membrane + product(sizes, bending));
   }
   Forces diagonal() const override { return stacked(plate_.diagonal(), membrane_.diagonal()); }
 
@@ -102,7 +90,7 @@ CoupledEquilibrium CoupledPlate::equilibrium(const PlateLoads& loads, const Stat
   CoupledEquilibrium result;
   result.of_both = refined(*both_, constraints_, stacked(loads.across, loads.in_plane), options, *factor_);
   result.bending = of_plate(result.of_both.state), result.membrane = of_plane(result.of_both.state);
-  result.on_bending = force_by(coupling_, result.membrane), result.on_membrane = force_by(coupling_, result.bending);
+  result.on_bending = -product(coupling_, result.membrane), result.on_membrane = -product(coupling_, result.bending);
   result.bending_energy = plate_.strain_energy(result.bending);
   result.stretching_energy = membrane_.strain_energy(result.membrane);
   result.coupling_energy = -result.on_bending.cwiseProduct(result.bending).sum();

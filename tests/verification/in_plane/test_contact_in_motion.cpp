@@ -63,7 +63,7 @@ struct Bars {
   }
 };
 
-/// What bars do after the first one has hit the second one with the velocity V = 1. Of bars: 1, 1, (0, 1), 0, 0.
+/// Motion of bars after the first one has hit the second one with the velocity V = 1; by theory 1, 1, (0, 1), 0, 0.
 struct Hit {
   double duration = 0, force = 0;      // of the contact over 2 L / c; its mean over rho c V h b / 2
   std::array<double, 2> speed{};       // mean of each bar at the end, over V
@@ -293,8 +293,7 @@ TEST_CASE("contact in motion: slow loads bring a damped plate to its equilibrium
     const auto at_rest = rest.column("pressure_" + face), found = moving.column("pressure_" + face);
     const double largest = rest.summary.contact->largest_pressure;
     REQUIRE(found.size() == at_rest.size());
-    for (std::size_t i = 0; i < found.size(); ++i)
-      CHECK(found[i] == Approx(at_rest[i]).margin(1e-3 * largest));  // 1e-5
+    for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == Approx(at_rest[i]).margin(1e-3 * largest));
   }
   CHECK(moving.summary.contact->closed_share == Approx(rest.summary.contact->closed_share));
   CHECK(moving.summary.contact->least_opening > -1e-15);

@@ -25,7 +25,7 @@ const std::vector<std::string> one_load{
     "srif={}",
     "output.probes={a=[0.3,0.2],b=[0,1]}"};
 
-/// The same under load cases, of which one does not act in the plane.
+/// Settings of the strip under load cases, of which one does not act in the plane.
 std::vector<std::string> with_cases() {
   auto result = one_load;
   result.insert(result.end(), {"-load",
