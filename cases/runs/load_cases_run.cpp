@@ -103,16 +103,26 @@ using CombinedPart = std::pair<double, const std::vector<post::Srif>*>;
 
 /// Raises the largest factor of every tip [tips] to those of a row.
 void take(std::vector<double>& largest, const std::vector<post::Srif>& row, double thickness) {
-  for (const auto& srif : row) largest[srif.tip] = std::max(largest[srif.tip], post::largest_factor(srif, thickness));
+  for (const auto& srif : row)
+    largest[srif.tip] = std::max(largest[srif.tip], post::largest_with_plane(srif, thickness));
 }
 
 /// The factors without those of tips that a load case hardly loads. `largest`: factor of every tip in all load cases.
 std::vector<post::Srif> of_loaded_tips(std::vector<post::Srif> row, const std::vector<double>& largest,
                                        double thickness) {
   constexpr double hardly = 1e-3;
-  std::erase_if(
-      row, [&](const post::Srif& srif) { return post::largest_factor(srif, thickness) < hardly * largest[srif.tip]; });
+  std::erase_if(row, [&](const post::Srif& srif) {
+    return post::largest_with_plane(srif, thickness) < hardly * largest[srif.tip];
+  });
   return row;
+}
+
+/// The utilisation of every tip by its recommended factors, where there is one.
+std::map<std::size_t, double> utilisations(const post::LoadCaseSummary& one) {
+  std::map<std::size_t, double> result;
+  for (std::size_t i = 0; i < one.faces.size(); ++i)
+    if (one.faces[i].utilisation) result.emplace(one.srif[i].tip, *one.faces[i].utilisation);
+  return result;
 }
 
 /// Load cases and combinations as they are found.
@@ -288,25 +298,28 @@ std::vector<CombinedPart> LoadCases::parts_of(const post::LoadCaseSummary& combi
 std::vector<std::string> LoadCases::warnings() const {
   constexpr double close = 0.01;
   const double h = plate_.section().thickness;
-  std::vector<double> bent(plate_.tips().size(), 0), stretched = bent;  // largest factors
-  for (const auto& one : found_) take(bent, one.srif, h);
-  for (const auto& row : factors_in_plane_) take(stretched, row, h);
+  std::vector<double> largest(plate_.tips().size(), 0);  // factors
+  std::map<std::size_t, double> governing;               // the largest utilisation of every tip
+  for (const auto& one : found_) {
+    take(largest, one.srif, h);
+    for (const auto& [tip, share] : utilisations(one)) governing[tip] = std::max(governing[tip], share);
+  }
   std::vector<std::string> result;
+  for (const auto& one : found_)  // what governs comes first
+    for (const auto& [tip, share] : utilisations(one))
+      if (share == governing[tip]) post::tell_growth(tip, share, fmt::format(" in {}", one.name), result);
   std::set<std::string> warned;  // what about
   const auto tell = [&](const std::string& name, const std::vector<std::string>& said) {
     for (const auto& text : said) {
-      const auto place = text.starts_with("in the plane: ") ? text.find(": ", text.find(": ") + 1) : text.find(": ");
-      if (warned.insert(text.substr(0, text.find_first_of("0123456789", place))).second)
+      if (warned.insert(text.substr(0, text.find_first_of("0123456789", text.find(": ")))).second)
         result.push_back(fmt::format("load case {}: {}", name, text));
     }
   };
   for (std::size_t i = 0; i < found_.size(); ++i) {
     const auto& one = found_[i];
-    post::Summary alone;
-    alone.srif = one.srif, alone.faces = one.faces;
-    auto said = post::tips_that_grow(alone);
-    const auto bending = of_loaded_tips(one.srif, bent, h);
-    for (auto& text : post::warnings_about_factors(bending, {}, h, plate_.remedy())) said.push_back(std::move(text));
+    std::vector<std::string> said;
+    const auto loaded = of_loaded_tips(one.srif, largest, h);
+    for (auto& text : post::warnings_about_factors(loaded, {}, h, plate_.remedy())) said.push_back(std::move(text));
     for (auto& text : post::sinking_supports(one.reactions, plate_.problem(), largest_deflection(one)))
       said.push_back(std::move(text));
     if (one.reactions && one.reactions->largest_residual > close)
@@ -316,10 +329,6 @@ std::vector<std::string> LoadCases::warnings() const {
     if (!ready_.membrane) continue;
     const bool may_touch = !content().coupled() && plate_.offers(plate::Feature::touching_faces);
     if (!one.contact) tell(one.name, warnings_about_overlaps(one.srif, may_touch));
-    const auto in_plane = of_loaded_tips(factors_in_plane_[i], stretched, h);
-    auto of_factors = post::warnings_about_factors(in_plane, {}, h, ready_.membrane->remedy());
-    std::ranges::transform(of_factors, of_factors.begin(), of_plane);
-    tell(one.name, of_factors);
   }
   return result;
 }
@@ -607,8 +616,7 @@ void LoadCases::finish() {
                            .reactions = {},
                            .factors = {},
                            .stretches = content().stretches});
-  outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
-  for (const auto& line : post::left_out(plate_.tips(), ready_.membrane_methods)) outputs_.warn({of_plane(line)});
+  if (content().srif) outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods, *content().srif));
   outputs_.warn(said);
   outputs_.warn(warnings_);
 }

@@ -59,14 +59,9 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
     result.factors =
         known ? *known
               : fracture::of_all(membrane, post::srifs(membrane, *options, methods, state, all_rings, &heat, stretch));
-    std::vector<double> none, &largest = largest_before ? *largest_before : none;
-    if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
-    auto two = result.factors;  // there is no third one in the plane
-    for (auto& one : two) one.K3 = 0, one.errors[2] = 0, one.resolved[2] = true;
-    for (const auto& some :
-         {post::left_out(membrane.tips(), methods),
-          post::warnings_about_factors(two, largest, membrane.section().thickness, membrane.remedy())})
-      for (const auto& line : some) result.warnings.push_back(of_plane(line));
+    if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, *largest_before);
+    for (const auto& line : post::left_out(membrane.tips(), methods, *options))
+      result.warnings.push_back(of_plane(line));
     post::require_finite(result.factors, where);
   }
   auto& summary = result.summary;

@@ -151,7 +151,7 @@ void ResponseRun::finish() {
     summary.warnings.push_back(
         "K1 changes its sign in every period, and contact of crack faces is not modelled: the response is valid for "
         "cracks held open");
-  outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods));
+  if (content().srif) outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods, *content().srif));
 }
 
 /// Frequencies and shapes of a plate, also under its membrane forces.

@@ -165,31 +165,6 @@ post::Cracks Results::finish_growth() {
   return record.cracks;
 }
 
-namespace {
-
-/// Warnings of factors in the plane that twice the spacing puts in doubt more than their own estimates do. `own`: the
-/// factors of the plate in its plane, with these estimates.
-std::vector<std::string> doubts_in_plane(const std::vector<post::Srif>& srifs, const std::vector<post::Srif>& own,
-                                         const std::string& remedy) {
-  constexpr double uncertain = 0.03;
-  std::vector<std::string> result;
-  for (const auto* one : post::recommended(srifs)) {
-    const auto estimated = std::ranges::find(own, one->tip, &post::Srif::tip);
-    if (!one->membrane || estimated == own.end()) continue;
-    const auto& [N, errors] = std::tie(one->membrane->N, one->membrane->errors);
-    const double largest = std::max(std::abs(N[0]), std::abs(N[1]));
-    for (std::size_t i = 0; i < N.size(); ++i)
-      if (const double error = errors[i].value_or(0);
-          error > estimated->errors[i].value_or(0) && error > uncertain * largest)
-        result.push_back(fmt::format("tip {} ({:.4g}, {:.4g}): N{} differs by {:.2g} % at twice the spacing; {}",
-                                     one->tip, one->position.x(), one->position.y(), i + 1, 100 * error / largest,
-                                     remedy));
-  }
-  return result;
-}
-
-}  // namespace
-
 void Results::finish() {
   if (!faces_.rows.empty()) outputs_.recorder().table("contact", std::move(faces_));
   const auto& section = content().section;
@@ -223,7 +198,7 @@ void Results::finish() {
     post::look_for_largest(summary, section, fracture::of_all(plate_, extremes_.found()), times_, factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };
   const auto crack = [&](std::size_t tip) { return std::size_t(plate_.tips()[tip].crack); };
-  outputs_.warn(post::left_out(plate_.tips(), tip_methods_));
+  if (content().srif) outputs_.warn(post::left_out(plate_.tips(), tip_methods_, *content().srif));
   outputs_.warn(post::warnings_about_factors(summary.srif, factors_.largest(), section.thickness, remedy()));
   outputs_.warn(factors_.warnings(content().analysis.tolerance));
   outputs_.warn(post::tips_that_grow(summary));
@@ -233,7 +208,6 @@ void Results::finish() {
     overlaps.clear();
     outputs_.warn(in_plane_->warnings);
     if (!content().faces_touch()) {
-      outputs_.warn(doubts_in_plane(summary.srif, in_plane_->factors, membrane_->remedy()));
       const bool may_touch = !content().coupled() && plate_.offers(plate::Feature::touching_faces);
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
     }

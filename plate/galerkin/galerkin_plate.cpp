@@ -206,7 +206,6 @@ std::vector<MemoryPart> GalerkinPlate::memory(bool) const {
        bytes_of(cells_.positions) + bytes_of(cells_.squares) + bytes_of(cells_.triangles) + bytes_of(cells_.borders)}};
 }
 
-/// K3 of a twisted plate is 7 % off with 3.8 spacings in the layer, 1.1 % with 7.9.
 /// Round holes that are held and smaller than two spacings: 2 to 15 % in deflections of plates that nothing else holds.
 std::vector<std::string> warnings_about_small_holes(const Problem& problem) {
   constexpr double least = 2;
@@ -226,15 +225,8 @@ std::vector<std::string> warnings_about_small_holes(const Problem& problem) {
   return result;
 }
 
-std::vector<std::string> GalerkinPlate::warnings(bool factors) const {
-  const double spacing = discretization().spacing_at_tips(), layer = section().layer();
-  auto result = warnings_about_small_holes(problem());
-  if (factors && spacing > layer / 6)
-    result.push_back(
-        fmt::format("spacing at the tips is {:.2g} times the edge layer, K3 needs a sixth; set "
-                    "`tip_spacing` = {:.2g}",
-                    spacing / layer, layer / 6));
-  return result;
+std::vector<std::string> GalerkinPlate::warnings(bool) const {
+  return warnings_about_small_holes(problem());
 }
 
 std::string GalerkinPlate::remedy() const {

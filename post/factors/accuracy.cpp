@@ -284,7 +284,6 @@ BestFactors best_of(std::vector<std::vector<std::vector<Srif>>> refined, std::si
 }
 
 void judge(std::vector<std::vector<Srif>>& refined, double thickness, double nominal) {
-  constexpr double lost = 0.1;
   const Scales scales(refined, thickness, nominal);
   for (auto& row : refined)
     for (auto& srif : row) {

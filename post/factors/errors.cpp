@@ -7,9 +7,6 @@
 namespace post {
 namespace {
 
-/// Above this share of the largest factor an error leaves nothing of a factor that is not the largest.
-constexpr double lost = 0.1;
-
 template <typename Factors>
 Eigen::Vector3d vector_of(const Factors& K) {
   return {K.K1, K.K2, K.K3};
@@ -221,7 +218,7 @@ void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& 
   const std::vector<double> before = largest;
   for (const auto& srif : srifs) {
     largest.resize(std::max(largest.size(), srif.tip + 1), 0);
-    if (!of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], largest_factor(srif, thickness));
+    if (!of_opening(srif.method)) largest[srif.tip] = std::max(largest[srif.tip], largest_with_plane(srif, thickness));
   }
   for (auto& srif : srifs) {
     if (of_opening(srif.method) || srif.accuracy_reached) continue;  // openings are not judged, and those have been
@@ -232,6 +229,7 @@ void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& 
     for (std::size_t i = 0; i < 3; ++i)
       srif.resolved[i] =
           srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) <= (i == 2 ? srif.lost_shear : lost) * scale;
+    resolve_together(srif, thickness);
   }
 }
 

@@ -44,7 +44,7 @@ double largest_of_tips(const std::vector<Srif>& srifs, double thickness);
 void add_errors_of_other_tips(std::vector<Srif>& srifs, double most, double thickness);
 
 /// Marks factors by energy and by the fit whose error is above a tenth of the largest factor that their tip has had as
-/// not resolved. `largest`: of every tip, as |K1|, of the rows before; brought up to date.
+/// not resolved. `largest`: of every tip, by largest_with_plane(), of the rows before; brought up to date.
 void mark_lost(std::vector<Srif>& srifs, double thickness, std::vector<double>& largest);
 
 }  // namespace post

@@ -24,16 +24,16 @@
 namespace post {
 namespace {
 
-/// "K2 (4.1 %), K3 (12 %)": those that are, with their estimated errors as shares of the largest factor.
-template <typename Which>
-std::string named(const Srif& srif, double thickness, double largest, const Which& which) {
-  std::string result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double share = srif.errors[i].value_or(0) * (i == 2 ? thickness : 1) / largest;
-    if (which(i, share)) result += fmt::format("{}K{} ({:.2g} %)", result.empty() ? "" : ", ", i + 1, 100 * share);
+/// Factors of one tip that are not resolved, or uncertain, and the largest of their errors.
+struct Doubt {
+  std::vector<std::string> names = {};
+  double share = 0;  // of the largest factor
+
+  void add(const std::string& name, double error) { names.push_back(name), share = std::max(share, error); }
+  std::string words(const char* what) const {
+    return names.empty() ? "" : fmt::format("{} {} ({:.2g} %)", fmt::join(names, ", "), what, 100 * share);
   }
-  return result;
-}
+};
 
 /// Distance to a part of the plate [length]; 0 within it.
 double distance_to(const geometry::Hole& part, const geometry::Point& x) {
@@ -383,7 +383,9 @@ std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std:
   return result;
 }
 
-std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods) {
+std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods,
+                                  const SrifOptions& options) {
+  const bool named = options.methods != SrifOptions{}.methods;
   std::vector<std::string> result;
   for (std::size_t tip = 0; tip < methods.size(); ++tip) {
     const auto& x = tips[tip].position;
@@ -392,7 +394,7 @@ std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const 
           fmt::format("tip at ({:g}, {:g}): no intensity factors: {}", x.x(), x.y(), methods[tip].left_out().front()));
       continue;
     }
-    for (const auto& reason : methods[tip].left_out())
+    for (const auto& reason : named ? methods[tip].left_out() : std::vector<std::string>())
       result.push_back(fmt::format("tip at ({:g}, {:g}): left out {}", x.x(), x.y(), reason));
   }
   return result;
@@ -426,21 +428,30 @@ std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, 
                                      *srif.G, remedy));
       continue;
     }
-    const double scale = std::max(largest_factor(srif, h), srif.tip < largest.size() ? largest[srif.tip] : 0);
+    const double scale = std::max(largest_with_plane(srif, h), srif.tip < largest.size() ? largest[srif.tip] : 0);
     if (scale == 0) continue;
     if (of_opening(srif.method) && !srif.resolved[0]) {
       warnings.push_back(
           fmt::format("{}: no intensity factors: only the crack opening has enough points; {}", place, remedy));
       continue;
     }
-    const auto lost = named(srif, h, scale, [&](std::size_t k, double) { return !srif.resolved[k]; });
-    const auto doubtful = named(srif, h, scale, [&](std::size_t k, double share) {
+    Doubt none, some;
+    const double reached = srif.accuracy_reached.value_or(0);
+    const auto judge = [&](const std::string& name, bool resolved, const std::optional<double>& error, double arm) {
+      const double share = error.value_or(0) * arm / scale;
+      if (!resolved) return none.add(name, share);
       // what was asked for counts against the largest of all tips, times and kinds of load
-      if (srif.accuracy_reached && *srif.accuracy_reached <= uncertain) return false;
-      return srif.resolved[k] && share > std::max(uncertain, srif.accuracy_reached.value_or(0) * (1 + 1e-9));
-    });
-    if (!lost.empty()) warnings.push_back(fmt::format("{}: {} unresolved; {}", place, lost, remedy));
-    if (!doubtful.empty()) warnings.push_back(fmt::format("{}: {} uncertain; {}", place, doubtful, remedy));
+      const bool as_asked = srif.accuracy_reached && reached <= uncertain;
+      if (!as_asked && share > std::max(uncertain, reached * (1 + 1e-9))) some.add(name, share);
+    };
+    for (std::size_t i = 0; i < 3; ++i)
+      judge(fmt::format("K{}", i + 1), srif.resolved[i], srif.errors[i], i == 2 ? h : 1);
+    for (std::size_t i = 0; i < 2 && srif.membrane; ++i)
+      judge(fmt::format("N{}", i + 1), srif.membrane->resolved[i], srif.membrane->errors[i], h / 6);
+    std::vector<std::string> said;
+    for (const auto& words : {none.words("unresolved"), some.words("uncertain")})
+      if (!words.empty()) said.push_back(words);
+    if (!said.empty()) warnings.push_back(fmt::format("{}: {}; {}", place, fmt::join(said, ", "), remedy));
   }
   return warnings;
 }

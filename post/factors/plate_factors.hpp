@@ -54,8 +54,10 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
 /// Faces of the plate at which cracks are closed next to every tip.
 std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std::vector<geometry::Tip>& tips);
 
-/// Messages about the methods that are missing at tips, and why.
-std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods);
+/// Messages about tips without intensity factors, and why; of single methods that are missing where the case names its
+/// methods.
+std::vector<std::string> left_out(const std::vector<geometry::Tip>& tips, const std::vector<TipMethods>& methods,
+                                  const SrifOptions& options);
 
 /// A warning for each tip that has something within two spacings: what lies between is not resolved, and the whole
 /// plate may be wrong.

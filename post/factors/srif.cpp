@@ -24,7 +24,6 @@ void at_least(Srif& srif, const std::array<double, 3>& other) {
 /// The errors in the plane are at least the differences from another result; a factor is not resolved where its error
 /// is above a tenth of the largest.
 void at_least(MembraneFactors& membrane, const MembraneFactors& other) {
-  constexpr double lost = 0.1;
   const double largest = std::max(std::abs(membrane.N[0]), std::abs(membrane.N[1]));
   for (std::size_t i = 0; i < 2; ++i) {
     const double error = std::max(membrane.errors[i].value_or(0), std::abs(membrane.N[i] - other.N[i]));
@@ -76,8 +75,28 @@ double largest_factor(const Srif& srif, double thickness) {
   return std::max({std::abs(srif.K1), std::abs(srif.K2), std::abs(srif.K3) * thickness});
 }
 
+double largest_with_plane(const Srif& srif, double thickness) {
+  const double bending = largest_factor(srif, thickness);
+  if (!srif.membrane) return bending;
+  const auto& N = srif.membrane->N;
+  return std::max(bending, std::max(std::abs(N[0]), std::abs(N[1])) * thickness / 6);
+}
+
+void resolve_together(Srif& srif, double thickness) {
+  if (!srif.membrane) return;
+  const double enough = lost * largest_with_plane(srif, thickness);
+  const auto small = [&](const std::optional<double>& error, double arm) { return error && *error * arm <= enough; };
+  const auto positive = [](const std::optional<double>& G) { return !G || *G > 0; };
+  auto& plane = *srif.membrane;
+  for (std::size_t i = 0; i < 3 && positive(srif.G) && !of_opening(srif.method); ++i)
+    srif.resolved[i] = srif.resolved[i] || small(srif.errors[i], i == 2 ? thickness : 1);
+  for (std::size_t i = 0; i < 2 && positive(plane.G); ++i)
+    plane.resolved[i] = plane.resolved[i] || small(plane.errors[i], thickness / 6);
+}
+
 void widen(Srif& srif, const Srif& coarser, double thickness) {
   if (srif.membrane && coarser.membrane) at_least(*srif.membrane, *coarser.membrane);
+  resolve_together(srif, thickness);
   const double largest = largest_factor(srif, thickness);
   if (largest == 0) return;
   srif.estimated_error = std::max(srif.estimated_error.value_or(0), difference(srif, coarser, thickness) / largest);
@@ -101,6 +120,7 @@ void compare_with(Srif& srif, const Srif& other, const std::string& formulation,
     const double apart = std::max(std::abs(N[0] - others[0]), std::abs(N[1] - others[1]));
     srif.second->in_plane = SecondInPlane{others, most > 0 ? apart / most : 0};
     at_least(*srif.membrane, *other.membrane);
+    resolve_together(srif, thickness);
   }
   if (largest == 0) return;
   srif.estimated_error = std::max(srif.estimated_error.value_or(0), relative);
@@ -130,6 +150,7 @@ void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane,
                                     {found->resolved[0], found->resolved[1]},
                                     found->G,
                                     section.at(srif.position).thickness};
+    resolve_together(srif, srif.membrane->thickness);
   }
 }
 

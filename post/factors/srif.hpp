@@ -111,6 +111,9 @@ struct Srif {
   std::size_t samples = 0;
 };
 
+/// An error above this share of the largest factor leaves nothing of a factor that is not the largest.
+inline constexpr double lost = 0.1;
+
 /// True where a method reads the opening of the crack, false where it reads the field about the tip.
 bool of_opening(SrifMethod method);
 
@@ -119,6 +122,12 @@ Srif as_resolved(Srif srif);
 
 /// The largest of |K1|, |K2|, |K3| h.
 double largest_factor(const Srif& srif, double thickness);
+
+/// The largest factor, N1 and N2 among them as the moments N h / 6, which have the same stress at a face.
+double largest_with_plane(const Srif& srif, double thickness);
+
+/// Counts a factor of bending or of the plane as resolved where its error is small beside the factors of the other.
+void resolve_together(Srif& srif, double thickness);
 
 /// Recommended factors of each tip: the first that it has.
 std::vector<const Srif*> recommended(const std::vector<Srif>& srifs);

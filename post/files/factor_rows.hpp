@@ -47,7 +47,7 @@ public:
 
   const std::vector<std::vector<Srif>>& rows() const { return rows_; }
   std::vector<Srif> last() const { return rows_.empty() ? std::vector<Srif>{} : rows_.back(); }
-  /// Largest of |K1|, |K2|, |K3| h of every tip so far, by any method.
+  /// Largest factor of every tip so far, by any method: largest_with_plane().
   const std::vector<double>& largest() const { return largest_; }
   /// Warnings of tips where truncation leaves out more than 3 % of the largest factor. `tolerance`: of the analysis.
   std::vector<std::string> warnings(double tolerance) const;

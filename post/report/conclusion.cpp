@@ -242,19 +242,21 @@ void look_for_largest(Summary& summary, const plate::Section& section, std::vect
   for (auto& peak : found) summary.peaks.push_back(std::move(peak));
 }
 
+void tell_growth(std::size_t tip, double utilisation, const std::string& when, std::vector<std::string>& warnings) {
+  if (utilisation >= 1)
+    warnings.push_back(fmt::format("tip {}: the equivalent K is {:.3g} times the toughness{}: the crack grows", tip,
+                                   utilisation, when));
+}
+
 std::vector<std::string> tips_that_grow(const Summary& summary) {
   std::vector<std::string> result;
-  const auto say = [&](std::size_t tip, double utilisation, const std::string& when) {
-    if (utilisation >= 1)
-      result.push_back(fmt::format("tip {}: the equivalent K is {:.3g} times the toughness{}: the crack grows", tip,
-                                   utilisation, when));
-  };
   for (const auto& peak : summary.peaks)
-    if (peak.quantity == "utilisation") say(*peak.tip, peak.value, fmt::format(" at t = {:.4g}", peak.time));
+    if (peak.quantity == "utilisation")
+      tell_growth(*peak.tip, peak.value, fmt::format(" at t = {:.4g}", peak.time), result);
   if (!summary.peaks.empty()) return result;
   for (std::size_t i = 0; i < summary.srif.size(); ++i)
     if (const auto tip = summary.srif[i].tip; i == 0 || summary.srif[i - 1].tip != tip)
-      say(tip, summary.faces[i].utilisation.value_or(0), "");
+      tell_growth(tip, summary.faces[i].utilisation.value_or(0), "", result);
   return result;
 }
 

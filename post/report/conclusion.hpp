@@ -102,6 +102,9 @@ std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& 
 void look_for_largest(Summary& summary, const plate::Section& section, std::vector<Peak> found,
                       const std::vector<double>& times, const std::vector<std::vector<Srif>>& rows);
 
+/// Adds a warning where a utilisation is 1 or more. `when`: of what load or time; may be empty.
+void tell_growth(std::size_t tip, double utilisation, const std::string& when, std::vector<std::string>& warnings);
+
 /// Names the tips at which a crack would grow: those that reach the toughness, at the end or, in motion, at any time.
 std::vector<std::string> tips_that_grow(const Summary& summary);
 

@@ -257,19 +257,24 @@ void in_plane_of_cases(Text out, const Summary& summary, bool si) {
     }
 }
 
-/// Equivalent factors of every load case and combination, of recommended methods, over the toughness.
-void utilisations_of_cases(Text out, const Summary& summary) {
+/// Equivalent factors at the faces of every load case and combination, of recommended methods, and over the toughness.
+void faces_of_cases(Text out, const Summary& summary, bool si) {
   const auto width = width_of_names(summary);
+  const auto with_error = [](const std::optional<double>& value, const std::optional<double>& error) {
+    return (value ? fmt::format("{:.3g}", *value) : "-") + (error ? fmt::format(" +- {:.2g}", *error) : "");
+  };
   bool first = true;
   for (const auto& one : summary.load_cases)
     for (std::size_t i = 0; i < one.faces.size(); ++i) {
       const auto tip = one.srif[i].tip;
-      const auto& [used, error] = std::tie(one.faces[i].utilisation, one.faces[i].utilisation_error);
-      if (!used || (i > 0 && one.srif[i - 1].tip == tip)) continue;
+      const auto& face = one.faces[i];
+      if ((!face.equivalent && !face.utilisation) || (i > 0 && one.srif[i - 1].tip == tip)) continue;
       if (std::exchange(first, false))
-        fmt::format_to(out, "{:<{}} {:>4} {:>13}\n", "case", width, "tip", "of toughness");
-      fmt::format_to(out, "{:<{}} {:>4} {:>13.3g}{}\n", one.name, width, tip, *used,
-                     error ? fmt::format(" +- {:.2g}", *error) : "");
+        fmt::format_to(out, "at the faces{}:\n{:<{}} {:>4} {:>22}{}\n", si ? " [Pa m^1/2]" : "", "case", width, "tip",
+                       "K_eq", summary.toughness ? fmt::format(" {:>18}", "of toughness") : "");
+      fmt::format_to(
+          out, "{:<{}} {:>4} {:>22}{}\n", one.name, width, tip, with_error(face.equivalent, face.error),
+          face.utilisation ? fmt::format(" {:>18}", with_error(face.utilisation, face.utilisation_error)) : "");
     }
 }
 
@@ -285,8 +290,10 @@ void largest_of_cases(Text out, const std::vector<EnvelopeEntry>& envelope, doub
   };
   std::size_t width = 3;
   for (const auto& one : envelope) width = std::max(width, one.quantity.size());
+  auto ordered = envelope;  // what governs first
+  std::ranges::stable_partition(ordered, [](const auto& one) { return one.quantity == "utilisation"; });
   fmt::format_to(out, "largest of all load cases and combinations:\n");
-  for (const auto& one : envelope) {
+  for (const auto& one : ordered) {
     const bool noise = std::ranges::any_of(
         envelope, [&](const EnvelopeEntry& other) { return alike(one, other) && size(one) < nothing * size(other); });
     const bool known = one.error.value_or(0) <= std::abs(one.value);
@@ -449,10 +456,10 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
   std::string text;
   const Text out(text);
   const bool factors = std::ranges::any_of(summary.load_cases, [](const auto& one) { return !one.srif.empty(); });
+  if (!summary.envelope.empty()) largest_of_cases(out, summary.envelope, thickness);
   if (factors) factors_of_cases(out, summary, si, thickness);
   in_plane_of_cases(out, summary, si);
-  utilisations_of_cases(out, summary);
-  if (!summary.envelope.empty()) largest_of_cases(out, summary.envelope, thickness);
+  faces_of_cases(out, summary, si);
   for (const auto& one : summary.load_cases)
     if (one.contact) contact(out, *one.contact, ", " + one.name, si);
   const auto alone =

@@ -1,4 +1,6 @@
 #include "post/factors/errors.hpp"
+
+#include "post/factors/plate_factors.hpp"
 #include "tests/catch.hpp"
 
 using namespace post;
@@ -174,4 +176,38 @@ TEST_CASE("a tip that others shield knows its factors no better than the field o
   CHECK(all.front().errors == before.front().errors);
   CHECK(*all.back().errors[1] - *before.back().errors[1] == Approx(0.0007 * 0.99));
   CHECK(*all.back().errors[2] - *before.back().errors[2] == Approx(0.0007 * 0.99 / section.thickness));
+}
+
+TEST_CASE("a factor that is small beside those of the other part is resolved as far as a face's stress needs") {
+  const double h = section.thickness;
+  const auto in_plane = [&](double N1, double error) {
+    Srif srif;
+    srif.K1 = 1, srif.errors = {0.01, 0.01, 0.01};
+    srif.membrane = MembraneFactors{{N1, 0}, {error, error}, {false, false}, {}, h};
+    resolve_together(srif, h);
+    return srif;
+  };
+  CHECK(in_plane(0, 5.9).membrane->resolved == std::array{true, true});  // N h / 6 beside K1 = 1: a tenth at 6
+  CHECK(in_plane(0, 6.1).membrane->resolved == std::array{false, false});
+  CHECK(in_plane(120, 11.9).membrane->resolved == std::array{true, true});  // beside N1 itself
+  auto bending = in_plane(600, 1);                                          // N1 h / 6 = 10
+  bending.errors = {0.9, 1.1, 9}, bending.resolved = {false, false, false}, bending.membrane->resolved = {true, true};
+  resolve_together(bending, h);
+  CHECK(bending.resolved == std::array{true, false, true});
+  CHECK(largest_with_plane(bending, h) == Approx(10));
+  bending.G = -1, bending.resolved = {false, false, false};  // an energy that is not positive leaves nothing
+  resolve_together(bending, h);
+  CHECK(bending.resolved == std::array{false, false, false});
+}
+
+TEST_CASE("a tip has one warning, with all factors that are in doubt and the largest of their errors") {
+  const double h = section.thickness;
+  Srif srif;
+  srif.tip = 2, srif.K1 = 1, srif.errors = {0.01, 0.05, 3}, srif.resolved = {true, true, false};
+  srif.membrane = MembraneFactors{{60, 0}, {2.4, 0.1}, {true, true}, {}, h};
+  const auto said = warnings_about_factors({srif}, {}, h, "set spacing = 0.1");
+  REQUIRE(said.size() == 1);
+  CHECK(said[0] == "tip 2 (0, 0): K3 unresolved (30 %), K2, N1 uncertain (5 %); set spacing = 0.1");
+  srif.errors = {0.01, 0.01, 0.01}, srif.resolved = {true, true, true}, srif.membrane.reset();
+  CHECK(warnings_about_factors({srif}, {}, h, "").empty());
 }

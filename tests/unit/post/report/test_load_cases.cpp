@@ -123,7 +123,9 @@ TEST_CASE("load cases: factors in the plane and utilisations have tables of thei
   const auto text = printed_load_cases(summary, false, 0.1);
   CHECK_THAT(text, Catch::Contains("in the plane:\ncase  tip            N1            N2    error\n"
                                    "dead    0           1.5             0     10 %\n"));
-  CHECK_THAT(text, Catch::Contains("case  tip  of toughness\ndead    0 "));
+  CHECK_THAT(text, Catch::Contains("at the faces:\ncase  tip                   K_eq       of toughness\ndead    0 ") ||
+                       Catch::Contains("at the faces:\ncase  tip                   K_eq\ndead    0 "));
+  CHECK(text.find("utilisation") < text.find("K1"));  // what governs comes first
   CHECK_THAT(text, Catch::Contains("   0 N1                    1.5 +- 0.15"));
   CHECK_THAT(text, !Catch::Contains("   0 N2"));
 }
