@@ -24,6 +24,7 @@ CASES = {  # name: case, settings, what its page must have
     "units": ("dynamic/hole_one_crack.toml", ["--set", "discretization.spacing=0.033", "--set", "discretization.formulation=galerkin", "--set", "analysis.method=lanczos", *LITTLE], ["plot:K1 in time", "plot:Energies", "plot:Deflection of the probes", "table:peaks", "picture:Myy"]),
     "growth": ("growth/double_torsion.toml", ["--set", "discretization.spacing=0.05", "--set", "growth.max_advances=4"], ["plot:Load against length", "picture:w"]),
     "breaking": ("growth/pressure_pulse.toml", [*COARSE, "--set", "load[0].value=2.7", "--set", "output.every=0.1"], ["plot:Length of the cracks", "picture:damage"]),
+    "cases": ("static/slab_on_soil.toml", ["--set", "discretization.spacing=0.25"], ["table:envelope", "table:load_cases", "table:reactions_of_cases", "table:extremes_of_cases"]),
     "modes": ("dynamic/frequencies_hole_one_crack.toml", ["--set", "discretization.spacing=0.1"], ["table:frequencies", "picture:w"]),
 }
 
@@ -48,6 +49,12 @@ def number(text):
     return float(found[0]) if found else None
 
 
+def last_place(text):
+    """One in the last digit of a plain number; 0 of others."""
+    found = re.fullmatch(r"[-−]?\d+\.(\d+)", text)
+    return 10.0 ** -len(found[1]) if found else 0.0
+
+
 def at(summary, path):
     for key in re.split(r"[.\[\]]+", path):
         if key:
@@ -63,9 +70,10 @@ def of_numbers(page, summary):
         if isinstance(there, (int, float)):
             if float(one["data-value"]) != there:
                 wrong.append(f"{one['data-from']}: {one['data-value']} on the page, {there} in summary.json")
+            there /= float(one["data-factor"] or 1)
             says = number(one.text)
             text_is_itself = not re.search(r" (s|ms|min|h|B|kB|MB|GB)$", one.text)  # else in another unit
-            rounding = max(abs(there) * 0.05, 0) if len(one.text) < 4 else abs(there) * 6e-3
+            rounding = max(abs(there) * (0.05 if len(one.text) < 4 else 6e-3), 0.51 * last_place(one.text))
             noise = one.text in ("0", "not resolved")
             if text_is_itself and not noise and (says is None or abs(says - there) > rounding):
                 wrong.append(f"{one['data-from']}: says {one.text}, is {there}")
@@ -83,6 +91,8 @@ def of_page(page, wanted):
     wrong += [f"no {name}, only {sorted(have)}" for name in wanted if name not in have]
     for kind in ("plot", "picture"):
         wrong += [f"the {kind} {one[f'data-{kind}']} is {one['data-drawn']}" for one in page.having(f"data-{kind}") if one["data-drawn"] != "yes"]
+    if page.root()["data-clipped"] != "0":
+        wrong.append(f"{page.root()['data-clipped']} cells of tables reach beyond the paper")
     canvases = [one for one in page.elements if one.name == "canvas"]
     wrong += [f"a canvas is blank: {one['data-field'] or one['class'] or 'a plot'}" for one in canvases if int(one["data-colours"] or 0) < 3]
     figures = len(page.having("data-plot")) + 2 * len(page.having("data-picture"))  # a picture has a colour bar

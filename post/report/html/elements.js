@@ -18,10 +18,17 @@ const drawn = (name, attributes = {}, ...children) => filled(document.createElem
 const at = path => path.split(/[.[\]]+/).filter(Boolean).reduce((value, key) => value?.[key], data.summary);
 
 /** A number of summary.json, with its path: the tests compare them. */
-function value(path, digits = 6, text = null) {
+function value(path, digits = 6, text = null, factor = 1) {
   const x = at(path);
-  return element("span", { class: "number", "data-from": path, "data-value": x ?? "", title: typeof x === "number" ? String(x) : null },
-    text ?? shown(x, digits));
+  return element("span", { class: "number", "data-from": path, "data-value": x ?? "", "data-factor": factor === 1 ? null : factor, title: typeof x === "number" ? String(x) : null },
+    text ?? shown(typeof x === "number" ? x / factor : x, digits));
+}
+
+/** A number of summary.json with its error, in a unit that is `factor` times its own. */
+function with_error(path, error, factor = 1, most = 6) {
+  const x = at(path), known = typeof error === "number" && error > 0;
+  return [value(path, most, typeof x === "number" ? measured(x / factor, known ? error / factor : null, most) : null, factor),
+    known ? element("span", { class: "error" }, ` ± ${shown(error / factor, 2)}`) : null];
 }
 
 function section(title, ...children) {
@@ -33,12 +40,13 @@ function section(title, ...children) {
 const screen_note = (...children) => element("p", { class: "note screen" }, ...children);
 const note = (...children) => element("p", { class: "note" }, ...children);
 
-/** A table: `columns` of {title, unit, left, long}; rows of cells. */
+/** A table: `columns` of {title, unit, left, long, minor}; rows of cells. Minor columns are not on narrow screens. */
 function table(columns, rows, attributes = {}) {
-  const head = columns.map(column => element("th", { class: column.left ? "left" : null, scope: "col" }, column.title,
+  const look = column => [column.left || column.long ? "left" : "", column.minor ? "minor" : ""].filter(Boolean).join(" ") || null;
+  const head = columns.map(column => element("th", { class: look(column), scope: "col" }, column.title,
     column.unit ? element("span", { class: "unit" }, ` ${column.unit}`) : null));
   const body = rows.map(row => element("tr", { class: row.kind ?? null },
-    (row.cells ?? row).map((cell, i) => element("td", { class: columns[i].long ? "left long" : columns[i].left ? "left" : null }, cell ?? "–"))));
+    (row.cells ?? row).map((cell, i) => element("td", { class: columns[i].long ? `${look(columns[i])} long` : look(columns[i]) }, cell ?? "–"))));
   return element("div", { class: "scroll" }, element("table", attributes, element("thead", {}, element("tr", {}, head)), element("tbody", {}, body)));
 }
 

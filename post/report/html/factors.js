@@ -8,7 +8,7 @@ const thickness = data.plate?.section.thickness ?? 1;
 function factor_words(one, name) {
   const size = Math.abs(one[name] ?? NaN), most = largest(factor_names.map(key => one[key])), error = one[`estimated_error_${name}`] ?? Infinity;
   if (one[name] === null || one[name] === undefined) return "not resolved";
-  return size < 1e-8 * most || (size < 1e-6 * most && size <= error) ? "0" : shown(one[name], 6);
+  return size < 1e-8 * most || (size < 1e-6 * most && size <= error) ? "0" : measured(one[name], error);
 }
 
 /** The largest error of the factors that are resolved, relative to the largest of them. */
@@ -23,8 +23,9 @@ function error_of(one) {
 
 function factor_cell(one, path, name) {
   const error = one[`estimated_error_${name}`], words = factor_words(one, name);
-  const bar = typeof error === "number" && words !== "not resolved" && words !== "0" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null;
-  return [element("span", { class: bar && error > Math.abs(one[name]) ? "within" : null }, value(`${path}.${name}`, 6, words)), bar];
+  const known = typeof error === "number" && words !== "not resolved" && words !== "0";
+  if (!known) return value(`${path}.${name}`, 6, words);
+  return element("span", { class: error > Math.abs(one[name]) ? "within" : null }, with_error(`${path}.${name}`, error));
 }
 
 function error_cell(one) {
@@ -34,8 +35,8 @@ function error_cell(one) {
 
 function factor_table(indices, wanted) {
   const all = data.summary.srif, normalized = factor_names.map((_, i) => `F${i + 1}`).filter(name => indices.some(i => typeof all[i][name] === "number"));
-  const columns = [{ title: "tip" }, { title: "x", unit: unit("length") }, { title: "y", unit: unit("length") }, ...factor_names.map(name => ({ title: name, unit: unit(name) })),
-    ...normalized.map(title => ({ title })), { title: "error" }, { title: "method", left: true }];
+  const columns = [{ title: "tip" }, { title: "x", unit: unit("length"), minor: true }, { title: "y", unit: unit("length"), minor: true }, ...factor_names.map(name => ({ title: name, unit: unit(name) })),
+    ...normalized.map(title => ({ title, minor: true })), { title: "error" }, { title: "method", left: true, minor: true }];
   const rows = indices.map(i => {
     const one = all[i], path = `srif[${i}]`;
     return [value(`${path}.tip`), value(`${path}.x`, 4), value(`${path}.y`, 4), ...factor_names.map(name => factor_cell(one, path, name)),
@@ -47,18 +48,19 @@ function factor_table(indices, wanted) {
 const in_plane_names = ["N1", "N2"];
 
 /** A factor of loads in the plane with its error. */
-function in_plane_cell(one, path, name) {
-  const error = one[`estimated_error_${name}`], size = largest(in_plane_names.map(key => one[key]));
+function in_plane_cell(one, path, name, factor) {
+  const size = largest(in_plane_names.map(key => one[key]));
   if (one[name] === null || one[name] === undefined) return "not resolved";
-  return [value(`${path}.${name}`, 6, Math.abs(one[name]) < 1e-8 * size ? "0" : null), typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null];
+  return Math.abs(one[name]) < 1e-8 * size ? value(`${path}.${name}`, 6, "0") : with_error(`${path}.${name}`, one[`estimated_error_${name}`], factor);
 }
 
 /** The factors of loads in the plane. */
 function in_plane_table(indices) {
   const all = data.summary.srif, there = indices.filter(i => all[i].N1 !== undefined);
   if (there.length === 0) return [];
-  return [element("h3", {}, "In the plane"), table([{ title: "tip" }, ...in_plane_names.map(title => ({ title, unit: unit(title) }))],
-    there.map(i => [value(`srif[${i}].tip`), ...in_plane_names.map(name => in_plane_cell(all[i], `srif[${i}]`, name))]), { "data-table": "in_plane" }),
+  const { factor, name: of_unit } = prefixed("N1", there.flatMap(i => in_plane_names.map(name => all[i][name])));
+  return [element("h3", {}, "In the plane"), table([{ title: "tip" }, ...in_plane_names.map(title => ({ title, unit: of_unit }))],
+    there.map(i => [value(`srif[${i}].tip`), ...in_plane_names.map(name => in_plane_cell(all[i], `srif[${i}]`, name, factor))]), { "data-table": "in_plane" }),
     note("N1 = lim √(2r) N", element("sub", {}, "y′y′"), ", N2 = lim √(2r) N", element("sub", {}, "x′y′"), " of the membrane forces, without a factor π.")];
 }
 
@@ -66,22 +68,28 @@ function in_plane_table(indices) {
 function faces_table(indices) {
   const all = data.summary.srif, there = indices.filter(i => all[i].faces);
   if (there.length === 0) return [];
-  const used = there.some(i => typeof all[i].faces.utilisation === "number"), face = unit("face");
-  const bar = error => (typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null);
+  const used = there.some(i => typeof all[i].faces.utilisation === "number");
   const both = there.some(i => all[i].faces.KI_top !== undefined), shown_names = both ? ["KI_top", "KI_bottom", "KII_top", "KII_bottom", "KIII", "K_eq"] : ["K_I", "K_II", "K_III", "K_eq"];
+  const { factor, name: face } = prefixed("face", there.flatMap(i => shown_names.map(name => all[i].faces[name])));
   const title_of = name => ["K", element("sub", {}, name.replace("K_", "").replace(/^K/, "").split("_")[0]), name.endsWith("top") ? ", z > 0" : name.endsWith("bottom") ? ", z < 0" : ""];
   const columns = [{ title: "tip" }, ...shown_names.map(name => ({ title: title_of(name), unit: face })), ...(used ? [{ title: "utilisation" }] : [])];
   const rows = there.map(i => {
     const { faces } = all[i], path = `srif[${i}].faces`, size = largest(shown_names.map(name => faces[name]));
-    const cell = name => (faces[name] === null ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 5));
-    const share = faces.utilisation, beyond = share >= 1 ? "rough" : null;
-    return [value(`srif[${i}].tip`), ...shown_names.slice(0, -1).map(cell), [cell("K_eq"), bar(faces.estimated_error_K_eq)],
-      ...(used ? [element("span", { class: beyond }, value(`${path}.utilisation`, 4), bar(faces.estimated_error_utilisation))] : [])];
+    const none = name => faces[name] === null || faces[name] === undefined;
+    const cell = name => (none(name) ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 4, null, factor));
+    return [value(`srif[${i}].tip`), ...shown_names.slice(0, -1).map(cell), none("K_eq") ? "not resolved" : with_error(`${path}.K_eq`, faces.estimated_error_K_eq, factor, 4),
+      ...(used ? [utilisation_cell(path, faces)] : [])];
   });
   const { toughness } = data.summary;
   return [element("h3", {}, "Stress intensity at the faces"), table(columns, rows, { "data-table": "faces" }),
     note(both ? "III in the middle plane. eq:" : "I and II at the face z > 0, with the other sign at z < 0; III in the middle plane. eq:", " of mode 1, with the same energy at the height where that is most.",
-      toughness ? [" Utilisation: this over the toughness ", value("toughness", 4), face ? ` ${face}` : "", "."] : "")];
+      toughness ? [" Utilisation: this over the toughness ", value("toughness", 4, null, factor), face ? ` ${face}` : "", "."] : "")];
+}
+
+/** The share of the toughness that is taken; red from 1 on. */
+function utilisation_cell(path, faces) {
+  if (typeof faces?.utilisation !== "number") return "–";
+  return element("span", { class: faces.utilisation >= 1 ? "rough" : null }, with_error(`${path}.utilisation`, faces.estimated_error_utilisation, 1, 4));
 }
 
 function second_formulations(indices) {
@@ -123,13 +131,49 @@ function largest_section(list, title) {
   return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
 }
 
-/** What supports do to the plate in its plane, of every load case and combination. */
+/** Tables of a row for each load case: so many columns as fit side by side in each. */
+function tables_of_cases(all, columns, cell, name) {
+  const most = 6, result = [];
+  for (let begin = 0; begin < columns.length; begin += most) {
+    const some = columns.slice(begin, begin + most);
+    result.push(table([{ title: "case", left: true }, ...some.map(title => ({ title }))], all.map((one, n) => [one.name, ...some.map((_, k) => cell(n, begin + k))]), { "data-table": name }));
+  }
+  return result;
+}
+
+/** What every support carries in every load case and combination: a column for each support. */
+function reactions_of_cases(all) {
+  const supports = all.find(one => one.reactions?.supports)?.reactions.supports ?? [];
+  if (supports.length === 0) return null;
+  const { factor, name } = prefixed("force", all.flatMap(one => [one.reactions?.loads?.force, ...(one.reactions?.supports ?? []).map(support => support.force)]));
+  const size = 1e-9 * largest(all.flatMap(one => (one.reactions?.supports ?? []).map(support => support.force)));
+  const force = path => (Math.abs(at(path) ?? 0) <= size ? "0" : value(path, 5, null, factor));
+  const same = name => supports.filter(one => one.support === name).length > 1, titles = supports.map((one, i) => one.support + (same(one.support) ? ` ${i}` : ""));
+  const cell = (n, i) => (!all[n].reactions ? "–" : force(`load_cases[${n}].reactions.${i === 0 ? "loads" : `supports[${i - 1}]`}.force`));
+  const tables = tables_of_cases(all, ["loads", ...titles], cell, "reactions_of_cases");
+  return [element("h3", {}, name ? `Forces of the supports along w [${name}]` : "Forces of the supports along w"), tables];
+}
+
+/** What supports do to the plate in its plane, of every load case and combination that has such forces. */
 function reactions_in_plane(all) {
-  const rows = all.flatMap((one, n) => (one.membrane?.reactions ?? []).map((support, i) => [one.name, support.name,
-    ...["force_x", "force_y"].map(name => value(`load_cases[${n}].membrane.reactions[${i}].${name}`, 5))]));
+  const forces = all.flatMap(one => (one.membrane?.reactions ?? []).flatMap(support => [support.force_x, support.force_y]));
+  const { factor, name: of_unit } = prefixed("force", forces), least = 1e-9 * largest(forces);
+  const rows = all.flatMap((one, n) => (one.membrane?.reactions ?? []).map((support, i) => (Math.max(Math.abs(support.force_x), Math.abs(support.force_y)) <= least ? null : [one.name, support.name,
+    ...["force_x", "force_y"].map(name => value(`load_cases[${n}].membrane.reactions[${i}].${name}`, 5, Math.abs(support[name]) <= least ? "0" : null, factor))]))).filter(Boolean);
   if (rows.length === 0) return null;
-  return [element("h3", {}, "Reactions in the plane"), table([{ title: "case", left: true }, { title: "support", left: true },
-    { title: "along x", unit: unit("force") }, { title: "along y", unit: unit("force") }], rows, { "data-table": "reactions_in_plane" })];
+  return [element("h3", {}, "Forces of the supports in the plane"), table([{ title: "case", left: true }, { title: "support", left: true },
+    { title: "along x", unit: of_unit }, { title: "along y", unit: of_unit }], rows, { "data-table": "reactions_in_plane" })];
+}
+
+/** Deflections of the probes in every load case and combination. */
+function probes_of_cases(all) {
+  const { probes } = tables, places = [...new Set(probes?.probe ?? [])];
+  if (places.length === 0) return null;
+  const { factor, name: of_unit } = prefixed("w", probes.w);
+  const row = (n, place) => probes.probe.findIndex((probe, i) => probe === place && probes.time[i] === n + 1);
+  const cell = (n, i) => (row(n, places[i]) < 0 ? "–" : shown(probes.w[row(n, places[i])] / factor, 4));
+  const blocks = tables_of_cases(all, places.map(String), cell, "probes_of_cases");
+  return [element("h3", {}, of_unit ? `Deflection w of the probes [${of_unit}]` : "Deflection w of the probes"), blocks];
 }
 
 /** Contact of crack faces in every load case. */
@@ -139,34 +183,55 @@ function contact_of_cases(all) {
     all.map((one, n) => [one.name, shown(100 * one.contact.closed_share, 3), value(`load_cases[${n}].contact.largest_pressure`, 4), value(`load_cases[${n}].contact.least_opening`, 4)]), { "data-table": "contact" })];
 }
 
-/** Factors, forces and the largest deflection of every load case and combination, and the envelope of them all. */
+/** The largest factors of every tip, and the load case that gives each; how much of the toughness is taken comes first. */
+function envelope_table() {
+  const { envelope } = data.summary;
+  if (!envelope?.length) return null;
+  const order = envelope.map((_, i) => i).sort((a, b) => (envelope[b].quantity === "utilisation") - (envelope[a].quantity === "utilisation"));
+  const rows = order.map(i => {
+    const one = envelope[i], lost = one.estimated_error > Math.abs(one.value), beyond = one.quantity === "utilisation" && one.value >= 1;
+    const { factor, name } = prefixed(one.quantity, [one.value]);
+    const what = one.quantity === "utilisation" ? "of the toughness" : [one.quantity, name && !lost ? element("span", { class: "unit" }, ` ${name}`) : null];
+    return [what, value(`envelope[${i}].tip`),
+      lost ? "not resolved in all" : element("span", { class: beyond ? "rough" : null }, with_error(`envelope[${i}].value`, one.estimated_error, factor)), lost ? "–" : one.case];
+  });
+  return table([{ title: "largest", left: true }, { title: "tip" }, { title: "of all" }, { title: "in case", left: true }], rows, { "data-table": "envelope" });
+}
+
+/** Factors of every tip in every load case and combination, with how much of the toughness that takes. */
+function factors_of_cases(all) {
+  const equivalent = all.flatMap(one => one.srif.map(srif => srif.faces?.K_eq)), faces = equivalent.some(x => typeof x === "number");
+  const used = all.some(one => one.srif.some(srif => typeof srif.faces?.utilisation === "number")), { factor, name: of_unit } = prefixed("face", equivalent);
+  const columns = [{ title: "case", left: true }, { title: "tip" }, ...(used ? [{ title: "of the toughness" }] : []), ...factor_names.map(name => ({ title: name, unit: unit(name) })),
+    ...(faces ? [{ title: ["K", element("sub", {}, "eq")], unit: of_unit, minor: true }] : [])];
+  const rows = all.flatMap((one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => {
+    const srif = one.srif[i], path = `load_cases[${n}].srif[${i}]`, K = srif.faces?.K_eq;
+    return [one.name, value(`${path}.tip`), ...(used ? [utilisation_cell(`${path}.faces`, srif.faces)] : []), ...factor_names.map(name => factor_cell(srif, path, name)),
+      ...(faces ? [typeof K === "number" ? with_error(`${path}.faces.K_eq`, srif.faces.estimated_error_K_eq, factor, 4) : "not resolved"] : [])];
+  }));
+  return rows.length ? table(columns, rows, { class: "recommended", "data-table": "load_cases" }) : null;
+}
+
+/** Factors of loads in the plane in every load case and combination. */
+function in_plane_of_cases(all) {
+  const values = all.flatMap(one => one.srif.flatMap(srif => in_plane_names.map(name => srif[name]))), { factor, name: of_unit } = prefixed("N1", values);
+  const rows = all.flatMap((one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => (one.srif[i].N1 === undefined ? null
+    : [one.name, value(`load_cases[${n}].srif[${i}].tip`), ...in_plane_names.map(name => in_plane_cell(one.srif[i], `load_cases[${n}].srif[${i}]`, name, factor))]))).filter(Boolean);
+  return rows.length ? [element("h3", {}, "In the plane"), table([{ title: "case", left: true }, { title: "tip" }, ...in_plane_names.map(title => ({ title, unit: of_unit }))], rows, { "data-table": "in_plane" })] : null;
+}
+
+/** Load cases and combinations: what governs first, then all of them. */
 function load_cases_section() {
   const all = data.summary.load_cases;
   if (!Array.isArray(all) || all.length === 0) return null;
-  const stretched = all.some(one => one.srif.some(srif => srif.N1 !== undefined)), in_plane = stretched ? in_plane_names : [];
-  const used = all.some(one => one.srif.some(srif => typeof srif.faces?.utilisation === "number"));
-  const columns = [{ title: "case", left: true }, { title: "tip" }, ...factor_names.map(name => ({ title: name, unit: unit(name) })), { title: "error" },
-    ...in_plane.map(name => ({ title: name, unit: unit(name) })), ...(used ? [{ title: "utilisation" }] : [])];
-  const rows = all.flatMap((one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => {
-    const srif = one.srif[i], path = `load_cases[${n}].srif[${i}]`, share = srif.faces?.utilisation, error = srif.faces?.estimated_error_utilisation;
-    const utilisation = typeof share !== "number" ? "–" : element("span", { class: share >= 1 ? "rough" : null }, value(`${path}.faces.utilisation`, 4),
-      typeof error === "number" ? element("span", { class: "error" }, ` ± ${shown(error, 2)}`) : null);
-    return [one.name, value(`${path}.tip`), ...factor_names.map(name => factor_cell(srif, path, name)), error_cell(srif),
-      ...in_plane.map(name => in_plane_cell(srif, path, name)), ...(used ? [utilisation] : [])];
-  }));
-  const sizes = all.map((one, n) => [one.of ? [one.name, " = ", Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`)] : one.name,
-    one.reactions ? value(`load_cases[${n}].reactions.loads.force`, 5) : null, ...["w", "von_mises"].map(name => {
-      const at = (one.extremes ?? []).findIndex(peak => peak.quantity === name);
-      return at < 0 ? null : value(`load_cases[${n}].extremes[${at}].value`, 5);
-    })]);
-  const { envelope } = data.summary;
-  return section("Load cases", rows.length ? table(columns, rows, { "data-table": "load_cases" }) : null,
-    envelope?.length ? [element("h3", {}, "Largest of all"), table([{ title: "tip" }, { title: "" , left: true }, { title: "largest" }, { title: "case", left: true }],
-      envelope.map((one, i) => [value(`envelope[${i}].tip`), one.quantity, ...(one.estimated_error > Math.abs(one.value) ? ["not resolved in all", null]
-        : [[value(`envelope[${i}].value`), one.estimated_error === undefined ? null : element("span", { class: "error" }, ` ± ${shown(one.estimated_error, 2)}`)], one.case])]), { "data-table": "envelope" })] : null,
-    element("h3", {}, "Forces and deflections"), table([{ title: "case", left: true }, { title: "load along w", unit: unit("force") }, { title: "largest w", unit: unit("w") }, { title: "largest von Mises", unit: unit("von_mises") }], sizes),
-    reactions_in_plane(all),
-    contact_of_cases(all),
+  const peak = (one, name) => (one.extremes ?? []).findIndex(found => found.quantity === name);
+  const scale = name => prefixed(name, all.map(one => one.extremes?.[peak(one, name)]?.value)), scales = { w: scale("w"), von_mises: scale("von_mises") };
+  const sizes = all.map((one, n) => [one.name, one.of ? Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`).join("") : "",
+    ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : value(`load_cases[${n}].extremes[${peak(one, name)}].value`, 5, null, scales[name].factor)))]);
+  return section("Load cases", envelope_table(),
+    factors_of_cases(all) ? [element("h3", {}, "Every case"), factors_of_cases(all)] : null, in_plane_of_cases(all),
+    element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }], sizes, { "data-table": "extremes_of_cases" }),
+    probes_of_cases(all), reactions_of_cases(all), reactions_in_plane(all), contact_of_cases(all),
     all.some(one => one.superposed === false) ? note(`Combinations are solved under their own loads: states with ${all.some(one => one.contact) ? "contact of crack faces" : "large deflections"} are not superposed.`) : null,
     note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));
 }

@@ -46,7 +46,7 @@ function cracks_at_end() {
 /** Where each tip is: its number and place, as summary.json has them. */
 function tips() {
   const result = new Map();
-  for (const one of data.summary.srif ?? []) if (!result.has(one.tip)) result.set(one.tip, [one.x, one.y]);
+  for (const one of data.summary.srif?.length ? data.summary.srif : data.summary.load_cases?.[0]?.srif ?? []) if (!result.has(one.tip)) result.set(one.tip, [one.x, one.y]);
   return result;
 }
 

@@ -55,9 +55,10 @@ function series_of(line, number, power) {
 
 /**
  * A plot: `x` and `y` are {label, quantity, log}, `lines` a list of {label, x, y, points, rings, dash, number}. Lines that
- * share the array x may have an x twice; others are joined at all of their x.
+ * share the array x may have an x twice; others are joined at all of their x. Without `legend` another place names the
+ * lines.
  */
-function plot({ title, x, y, lines }) {
+function plot({ title, x, y, lines, legend = true }) {
   const wanted = lines.filter(line => line.y.some(value => Number.isFinite(value)));
   if (wanted.length === 0) return null;
   const box = element("div", { class: "canvas" });
@@ -75,7 +76,7 @@ function plot({ title, x, y, lines }) {
       width, height: Math.round(Math.min(320, Math.max(220, 0.58 * width))), axes,
       scales: { x: { time: false, distr: x.log ? 3 : 1, range: x.log ? wider : undefined }, y: { distr: y.log ? 3 : 1, range: y.log ? wider : undefined } },
       cursor: { drag: { x: true, y: true, uni: 40 }, points: { size: 8 } },
-      legend: { live: true, markers: { width: 2 } },
+      legend: { show: legend, live: true, markers: { width: 2 } },
       series: [{ label: x.label, value: (_, value) => (value === null ? "" : shown(value, 5)) }, ...wanted.map((line, i) => series_of(line, i, power_y))],
     }, columns_of(wanted), box);
     figure.dataset.drawn = "yes";

@@ -15,6 +15,15 @@ function scheme() {
   document.documentElement.dataset.scheme = dark && !document.documentElement.classList.contains("paper") ? "dark" : "light";
 }
 
+/** Makes tables that are wider than the paper so small that they fit. */
+function fit_tables() {
+  for (const table of document.querySelectorAll(".scroll > table")) {
+    table.style.zoom = "";
+    const room = table.parentElement.clientWidth, width = table.scrollWidth;
+    if (document.documentElement.classList.contains("paper") && width > room) table.style.zoom = Math.floor((1000 * room) / width) / 1000;
+  }
+}
+
 function start() {
   scheme();
   document.getElementById("report").replaceChildren(...sections().filter(Boolean));
@@ -32,17 +41,32 @@ function start() {
   addEventListener("beforeprint", () => {
     document.documentElement.classList.add("paper");
     again();
+    fit_tables();
   });
   addEventListener("afterprint", () => {
     document.documentElement.classList.remove("paper");
     again();
+    fit_tables();
   });
   if (location.hash === "#check") requestAnimationFrame(() => requestAnimationFrame(check));
   else document.documentElement.dataset.state = "drawn";
 }
 
+/** For tests: how many cells of tables reach beyond the paper, in data-clipped of the root. */
+function check_paper() {
+  document.documentElement.classList.add("paper");
+  redraw();
+  fit_tables();
+  const { right } = document.querySelector("main").getBoundingClientRect();
+  document.documentElement.dataset.clipped = [...document.querySelectorAll("th, td")].filter(cell => cell.getBoundingClientRect().right > right + 1).length;
+  document.documentElement.classList.remove("paper");
+  redraw();
+  fit_tables();
+}
+
 /** For tests: how many colours there are on each canvas, in data-colours. */
 function check() {
+  check_paper();
   for (const canvas of document.querySelectorAll("canvas")) {
     const { data: pixels } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height), colours = new Set();
     for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0) colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);

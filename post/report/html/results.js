@@ -123,7 +123,7 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 
 /** What summary.json has that no section above knows. */
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
-  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
 
 function other_section() {
   const others = Object.entries(data.summary).filter(([name]) => !known.has(name));
@@ -137,7 +137,7 @@ function other_section() {
     if (list) return what.map((one, i) => [i ? ", " : "", cell(`${path}[${i}]`, one)]);
     return facts(Object.entries(what).map(([name, one]) => [capital(spaced(name)), cell(`${path}.${name}`, one)]));
   };
-  return section("Further results", others.map(([name, what]) => [element("h3", {}, capital(spaced(name))), element("div", {}, nested_or_text(what, name))]));
+  return section("Further results", others.map(([name, what]) => [element("h3", {}, name === "sanity" ? "Validity of the theory" : capital(spaced(name))), element("div", {}, nested_or_text(what, name))]));
   function nested_or_text(what, name) {
     return typeof what === "object" && what !== null ? nested(name, what) : cell(name, what);
   }

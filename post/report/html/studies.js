@@ -41,13 +41,16 @@ function quantities() {
   return [...grouped(rows, i => described(cell_of("quantity", i), cell_of("place", i)))].map(([name, indices]) => ({ name, rows: indices.map(k => rows[k]) }));
 }
 
+/** More lines than these are named by the table of methods, in its colours, and not below each plot. */
+const few = 4;
+
 function error_plots(column, label) {
   return quantities().map(({ name, rows }) => {
     const lines = lines_along(rows, refined).map(line => sorted({
       label: `${line.name || "error"}${order_along(line, line.rows[0])}`, number: look(line.name), points: true, x: line.rows.map(i => cell_of(column, i)),
       y: line.rows.map(i => (cell_of("error", i) ? 100 * Math.abs(cell_of("error", i)) : NaN)),
     })).filter(line => line.x.length > 0);
-    return lines.length === 0 ? null : plot({ title: `Error of ${name} against ${label.short}`, x: { label: label.words, log: true }, y: { label: "|error| [%]", log: true }, lines });
+    return lines.length === 0 ? null : plot({ title: `Error of ${name} against ${label.short}`, x: { label: label.words, log: true }, y: { label: "|error| [%]", log: true }, lines, legend: lines.length <= few });
   });
 }
 
@@ -56,13 +59,31 @@ function value_plots(axis) {
   if (places.length < 2 || places.includes(null)) return [];
   const log = Math.min(...places) > 0 && Math.max(...places) > 20 * Math.min(...places);
   return quantities().map(({ name, rows }) => {
-    const lines = lines_along(rows, axis).map(line => sorted({ label: line.name || "computed", number: look(line.name), points: true,
-      x: line.rows.map(i => number_in(cell_of(axis, i))), y: line.rows.map(i => cell_of("computed", i)) })).filter(line => line.x.length > 1);
+    const own = axis === refined; // then the lines are those of the table of methods
+    const lines = lines_along(rows, axis).map((line, i) => sorted({ label: line.name || "computed", number: own ? look(line.name) : i, points: true,
+      x: line.rows.map(k => number_in(cell_of(axis, k))), y: line.rows.map(k => cell_of("computed", k)) })).filter(line => line.x.length > 1);
     if (lines.length === 0) return null;
     const known = grouped(rows, i => `${cell_of(axis, i)} ${cell_of("reference", i)}`), first = [...known.values()].map(k => rows[k[0]]).filter(i => typeof cell_of("reference", i) === "number");
     if (first.length) lines.push(sorted({ label: "reference", rings: true, number: 6, x: first.map(i => number_in(cell_of(axis, i))), y: first.map(i => cell_of("reference", i)) }));
-    return plot({ title: `${name} against ${axis}`, x: { label: axis, log }, y: { label: name }, lines });
+    return plot({ title: `${name} against ${axis}`, x: { label: axis, log }, y: { label: name }, lines, legend: !own || lines.length <= few + 1 });
   });
+}
+
+/** What each method comes to: mean and largest error, fitted order, time. A method is a line of the plots. */
+function methods_section() {
+  const known = quantities().flatMap(({ name, rows }) => lines_along(rows, refined).map(line => ({ name, line })));
+  if (known.length < 2 || !csv.error) return null;
+  const several = quantities().length > 1, mean = list => list.reduce((sum, x) => sum + x, 0) / list.length;
+  const rows = known.map(({ name, line }) => {
+    const of = column => line.rows.map(i => cell_of(column, i)).filter(x => typeof x === "number"), errors = of("error").map(Math.abs), taken = of("seconds");
+    const order = order_along(line, line.rows[0]).match(/order (.*)\)/);
+    return [[element("span", { class: "key", style: `background: var(--line${look(line.name) % 8})` }), ` ${line.name || "all runs"}`], ...(several ? [name] : []), `${line.rows.length}`,
+      errors.length ? percent(mean(errors)) : null, errors.length ? percent(largest(errors)) : null, order ? order[1] : null,
+      taken.length ? `${shown(Math.min(...taken), 3)} to ${shown(Math.max(...taken), 3)}` : null];
+  });
+  return section("Methods", table([{ title: "method", left: true }, ...(several ? [{ title: "quantity", left: true }] : []), { title: "runs" }, { title: "mean |error|" }, { title: "largest |error|" },
+    { title: `order in ${refined ?? "–"}` }, { title: "run time [s]" }], rows, { "data-table": "methods" }),
+  note("Colours as in the plots. The order is the slope of log |error| over the log of the length by least squares, where the errors lie on a line."));
 }
 
 const cell_words = (name, x) => (x === null ? "–" : typeof x !== "number" ? String(x) : name === "error" || name === "estimated_error" ? `${shown(100 * x, 3)} %` : name.includes("seconds") ? shown(x, 3) : shown(x, 6));
@@ -77,20 +98,17 @@ function csv_table(columns, rows, kind = () => null) {
   const words = columns.some(name => (csv[name] ?? []).some(x => typeof x === "string"));
   const some = (name, is) => (csv[name] ?? []).some(x => typeof x === "string" && is(x));
   return table(columns.map(name => ({ title: spaced(name), left: words && some(name, () => true), long: words && some(name, x => x.length > 24) })),
-    rows.map(i => ({ kind: kind(i), cells: columns.map(name => csv_cell(name, i)) })), { "data-table": data.kind });
+    rows.map(i => ({ kind: kind(i), cells: columns.map((name, k) => (k === 0 && report_of(i) ? element("a", { href: `${encodeURIComponent(report_of(i))}/report.html` }, csv_cell(name, i)) : csv_cell(name, i))) })), { "data-table": data.kind });
 }
 
-const links = () => (data.runs?.length ? section("Reports of the runs", element("ul", { class: "links" },
-  data.runs.map(name => element("li", {}, element("a", { href: `${encodeURIComponent(name)}/report.html` }, name))))) : null);
-
-function orders_section() {
-  const { orders } = data;
-  if (!orders?.order) return null;
-  const columns = Object.keys(orders).filter(name => new Set(orders[name]).size > 1 || ["quantity", "against", "order", "misfit", "runs"].includes(name));
-  return section("Fitted orders", table(columns.map(name => ({ title: spaced(name), left: typeof orders[name].find(x => x !== null) === "string" })),
-    orders.order.map((_, i) => columns.map(name => (typeof orders[name][i] === "number" ? shown(orders[name][i], 3) : orders[name][i])))),
-    note("The slope of log |error| over the log of the length by least squares. misfit: rms distance from the line, in decades; where it is not well below 1, the order means nothing."));
+/** The report of the run that a row is of. */
+function report_of(i) {
+  const name = axes.map(axis => cell_of(axis, i)).join("_");
+  return (data.runs ?? []).includes(name) ? name : null;
 }
+
+const link_to = name => element("a", { href: `${encodeURIComponent(name)}/report.html` }, name);
+const links = names => (names.length ? section("Reports of the runs", element("p", { class: "links" }, names.map((name, i) => [i ? ", " : "", link_to(name)]))) : null);
 
 function study_header() {
   const count = length_of(csv), runs = grouped([...Array(count).keys()], i => axes.map(axis => cell_of(axis, i)).join("\n"));
@@ -111,7 +129,7 @@ function extremes_sections() {
     ["Outcome", element("b", { class: missed.length ? "failed" : "done" }, `${count - missed.length} of ${count} oracles hold`)],
     ["Cases", `${new Set(csv.row).size} in ${new Set(csv.group).size} ${new Set(csv.group).size === 1 ? "group" : "groups"}`],
   ])), missed.length ? element("section", { class: "warnings" }, element("h2", {}, "Missed"), csv_table(columns, missed)) : null,
-  ...[...grouped(rows, i => cell_of("group", i))].map(([group, indices]) => section(capital(String(group)), csv_table(columns, indices.map(k => rows[k]), kind))), links()];
+  ...[...grouped(rows, i => cell_of("group", i))].map(([group, indices]) => section(capital(String(group)), csv_table(columns, indices.map(k => rows[k]), kind))), links(data.runs ?? [])];
 }
 
 /** A run against reference curves, which are dashed. */
@@ -125,10 +143,11 @@ function comparison_sections() {
 function study_sections() {
   if (data.kind === "comparison") return comparison_sections();
   if (data.kind === "extremes") return extremes_sections();
-  const rows = [...Array(length_of(csv)).keys()], columns = Object.keys(csv).filter(name => name !== "reference_source" && name !== "solve_seconds" && (differs(name) || axes.includes(name) || name === "error" || name === "computed"));
-  const of_time = plots(error_plots("seconds", { short: "run time", words: "run time [s]" })), of_points = plots(error_plots("points", { short: "points", words: "points of the plate" }));
-  const values = plots(axes.flatMap(value_plots));
-  return [...study_header(), of_time ? section("Error against run time", of_time, screen_note("Drag over a plot to zoom, double click to go back.")) : null,
-    of_points ? section("Error against points", of_points) : null, orders_section(), values ? section("Values along the axes", values) : null,
-    section("All runs", rows.length > 60 ? folded(`${rows.length} rows`, csv_table(columns, rows)) : csv_table(columns, rows)), links()];
+  const rows = [...Array(length_of(csv)).keys()], wanted = ["quantity", "place", "srif_method", "computed", "reference", "error", "estimated_error", "points", "iterations", "seconds", "message"];
+  const columns = [...axes, ...wanted.filter(name => csv[name] && (differs(name) || name === "error" || name === "computed"))];
+  const errors = plots([...error_plots("seconds", { short: "run time", words: "run time [s]" }), ...error_plots("points", { short: "points", words: "points of the plate" })]);
+  const values = plots(axes.flatMap(value_plots)), reported = new Set(rows.map(report_of));
+  return [...study_header(), methods_section(), errors ? section("Errors", errors, screen_note("Drag over a plot to zoom, double click to go back.")) : null,
+    values ? section("Values along the axes", values) : null,
+    section("All runs", rows.length > 60 ? folded(`${rows.length} rows`, csv_table(columns, rows)) : csv_table(columns, rows)), links((data.runs ?? []).filter(name => !reported.has(name)))];
 }

@@ -33,6 +33,24 @@ function shown(x, digits = 6) {
   return text.replace("-", "−");
 }
 
+/** A number with as many digits as its error has meaning: two of the error. */
+function measured(x, error, most = 6) {
+  if (typeof error !== "number" || !(error > 0) || typeof x !== "number" || x === 0) return shown(x, most);
+  const decimals = 1 - Math.floor(Math.log10(error)), digits = Math.floor(Math.log10(Math.abs(x))) + decimals + 1;
+  const fixed = digits > 0 && digits <= most && decimals >= 0 && Math.abs(x) >= 1e-3 && Math.abs(x) < 1e6;
+  return fixed ? x.toFixed(decimals).replace("-", "−") : shown(x, Math.max(1, Math.min(most, digits)));
+}
+
+const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"]];
+
+/** The unit of a quantity with the prefix that suits numbers of this size: its factor, and its name. */
+function prefixed(quantity, values) {
+  const size = (values ?? []).reduce((most, x) => (Number.isFinite(x) ? Math.max(most, Math.abs(x)) : most), 0), plain = { factor: 1, name: unit(quantity) };
+  if (!unit(quantity) || size === 0 || (size >= 0.1 && size < 1e4)) return plain;
+  const found = prefixes.find(([factor]) => size >= factor);
+  return found ? { factor: found[0], name: found[1] + unit(quantity) } : plain;
+}
+
 const percent = x => (x === null || x === undefined ? "–" : x >= 1 ? "> 100 %" : `${shown(100 * x, 2)} %`);
 const seconds = x => (x < 0.0995 ? `${shown(1000 * x, 2)} ms` : x < 120 ? `${shown(x, 3)} s` : x < 7200 ? `${shown(x / 60, 3)} min` : `${shown(x / 3600, 3)} h`);
 const bytes = x => (x < 1e6 ? `${shown(x / 1e3, 3)} kB` : x < 1e9 ? `${shown(x / 1e6, 3)} MB` : `${shown(x / 1e9, 3)} GB`);
