@@ -76,7 +76,8 @@ function faces_table(indices) {
   const rows = there.map(i => {
     const { faces } = all[i], path = `srif[${i}].faces`, size = largest(shown_names.map(name => faces[name]));
     const none = name => faces[name] === null || faces[name] === undefined;
-    const cell = name => (none(name) ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 4, null, factor));
+    const known = faces.estimated_error_K_eq / factor; // none of the others is known better
+    const cell = name => (none(name) ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 4, measured(faces[name] / factor, known, 4), factor));
     return [value(`srif[${i}].tip`), ...shown_names.slice(0, -1).map(cell), none("K_eq") ? "not resolved" : with_error(`${path}.K_eq`, faces.estimated_error_K_eq, factor, 4),
       ...(used ? [utilisation_cell(path, faces)] : [])];
   });
@@ -126,8 +127,11 @@ function largest_section(list, title) {
   const rounded = x => (Math.abs(x) < 1e-9 * extent() ? "0" : null);
   const words = one => (one.outside === undefined ? "" : ` no nearer than ${shown(one.outside, 2)} to tips, pins and point forces`);
   const columns = [{ title: "quantity", left: true }, { title: "largest" }, { title: "", left: true }, ...(timed ? [{ title: "at time", unit: unit("time") }] : []), { title: "where", left: true }];
-  const rows = all.map((one, i) => (noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), value(`${list}[${i}].value`), unit(one.quantity),
-    ...(timed ? [value(`${list}[${i}].time`, 5)] : []), [place(one, i), words(one)]]));
+  const rows = all.map((one, i) => {
+    const { factor, name } = prefixed(one.quantity, [one.value]);
+    return noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), value(`${list}[${i}].value`, 5, null, factor), name,
+      ...(timed ? [value(`${list}[${i}].time`, 5)] : []), [place(one, i), words(one)]];
+  });
   return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
 }
 
