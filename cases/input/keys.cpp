@@ -14,14 +14,16 @@
 namespace cases {
 namespace {
 
+/// A text; `standard`: words about its default, "absent" where it is not written unless given.
 Field<Case> text(const std::string& name, std::string Case::*member, const std::string& standard,
                  const std::string& help) {
+  const bool optional = standard == "absent";
   return value<Case>(
       {name, "-", "a string", standard, help},
       [=](const Value& given, Case& content) {
         if (const auto words = given.text()) content.*member = *words;
       },
-      [=](const Case& content) { return quoted(content.*member); });
+      [=](const Case& content) { return optional && (content.*member).empty() ? "" : quoted(content.*member); });
 }
 
 plate::Problem& problem_of(Case& content) {
@@ -50,6 +52,9 @@ const Fields<Case>& case_fields() {
   static const Fields<Case> fields{
       text("title", &Case::title, "the file's name", "title of the case"),
       text("source", &Case::source, "\"\"", "where the case comes from"),
+      text("project", &Case::project, "absent", "project, at the head of the report"),
+      text("author", &Case::author, "absent", "who made the case, at the head of the report"),
+      text("date", &Case::date, "absent", "date of the case, at the head of the report"),
       choice<Case, std::string>("units", &Case::units, {{{"none", "none"}, {"SI", "SI"}}},
                                 "unit system named in the results"),
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields(), check_section),

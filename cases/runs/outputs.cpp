@@ -19,7 +19,14 @@
 namespace cases {
 
 post::ReportedCase reported(const Case& c) {
-  return {c, c.title, c.source, c.units, c.output.probes};
+  return {.problem = c,
+          .title = c.title,
+          .source = c.source,
+          .units = c.units,
+          .project = c.project,
+          .author = c.author,
+          .date = c.date,
+          .probes = c.output.probes};
 }
 
 post::Summary about(const Case& c, const plate::Formulation& plate, std::vector<std::string> warnings) {

@@ -17,6 +17,7 @@ class Pictures;
 struct ReportedCase {
   const plate::Problem& problem;
   std::string title, source, units;
+  std::string project, author, date;  // empty: not given
   std::map<std::string, geometry::Point> probes;
 };
 

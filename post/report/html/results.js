@@ -6,6 +6,7 @@ function header() {
   const solved = a.iterations !== undefined ? `${whole(a.iterations)} iterations` : a.steps !== undefined ? `${whole(a.steps)} steps` : "";
   return element("header", {}, element("h1", {}, data.title || s.title || "Untitled case"), data.source ? note(data.source) : null,
     facts([
+      ["Project", data.project], ["Author", data.author], ["Date", data.date],
       ["Outcome", element("b", { class: failed ? "failed" : "done" }, failed ? s.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
       ["Analysis", `${a.kind}, ${spaced(a.method)}${a.preconditioner ? ` with ${spaced(a.preconditioner)}` : ""}${solved ? `, ${solved}` : ""}${a.stop_reason && !failed ? `: ${a.stop_reason}` : ""}`],
       ["Formulation", s.formulation === "galerkin" ? "Galerkin plate" : s.formulation === "ordinary" ? "bonds over a horizon" : s.formulation, ` (${s.formulation_reason})`],
