@@ -33,7 +33,7 @@ struct Output {
 /// Case of a simulation, as plain data: a plate, and what is done with it.
 struct Case : plate::Problem {
   std::string title, source, units = "none";
-  std::string project, author, date;  // for the head of the report; empty: not given
+  std::string project, author, date;                    // for the head of the report; empty: not given
   std::string formulation_reason = "as the case says";  // why discretization.formulation is what it is
   Analysis analysis;
   std::optional<fracture::Growth> growth;

@@ -4,7 +4,7 @@
 function header() {
   const s = data.summary, a = s.analysis, failed = s.outcome !== "done";
   const solved = a.iterations !== undefined ? `${whole(a.iterations)} iterations` : a.steps !== undefined ? `${whole(a.steps)} steps` : "";
-  return element("header", {}, element("h1", {}, data.title || s.title || "Untitled case"), data.source ? note(data.source) : null,
+  return element("header", {}, element("h1", {}, data.title || s.title || "Untitled case"), data.source && data.source !== "none" ? note(data.source) : null,
     facts([
       ["Project", data.project], ["Author", data.author], ["Date", data.date],
       ["Outcome", element("b", { class: failed ? "failed" : "done" }, failed ? s.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
