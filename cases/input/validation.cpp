@@ -101,12 +101,6 @@ std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const A
       result.push_back({key_of_load(problem, i) + ".history",
                         "moves a support at once, which takes an energy without limit: let the history begin at 0, or "
                         "start in equilibrium"});
-  const bool pushes = std::ranges::any_of(
-      problem.loads, [](const auto& load) { return load.moves() && plate::factor(load.history, 0) != 0; });
-  if (pushes && rests)
-    result.push_back({"analysis.start",
-                      "\"equilibrium\" given, which a load that moves is no part of: let its history begin at 0, or "
-                      "begin undeformed"});
   return result;
 }
 

@@ -44,6 +44,13 @@ bool near(const Ring& ring, const Ring& cell) {
 
 }  // namespace
 
+Hole moved(Hole shape, const Point& by) {
+  if (auto* circle = std::get_if<Circle>(&shape)) circle->centre += by;
+  if (auto* polygon = std::get_if<Polygon>(&shape))
+    for (auto& x : polygon->vertices) x += by;
+  return shape;
+}
+
 AreaMoments moments(const Ring& ring, const Point& about) {
   AreaMoments result;
   for (std::size_t i = 0; i < ring.size(); ++i) {  // triangles (about, a, b)

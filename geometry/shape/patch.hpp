@@ -13,6 +13,9 @@ struct AreaMoments {
 /// Area moments of the region that a ring encloses, about the place `about`; negative where the ring runs clockwise.
 AreaMoments moments(const std::vector<Point>& ring, const Point& about);
 
+/// A circle or polygon at another place.
+Hole moved(Hole shape, const Point& by);
+
 /// A part of the plane with a boundary: a polygon, or a circle as the regular polygon of the same area.
 class Patch {
 public:

@@ -116,7 +116,11 @@ Forces Formulation::total_load() const {
 
 Forces Formulation::first_load() const {
   Forces load = zero_forces(loads().front().forces.cols());
-  for (const auto& one : loads()) load += plate::factor(one.history, 0) * one.forces;
+  for (const auto& one : loads()) {
+    const double share = plate::factor(one.history, 0);
+    load += share * one.forces;
+    if (one.moving) load += share * one.moving->whole(0, std::size_t(load.cols()));
+  }
   return load;
 }
 

@@ -5,6 +5,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "geometry/shape/patch.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/state.hpp"
@@ -54,11 +55,8 @@ void add_force(double value, const Point& at, const std::vector<Point>& position
 
 /// The pressure with its part of the plate moved from the begin of the path to a place.
 Pressure moved(Pressure pressure, const Point& to) {
-  const Point by = to - pressure.path.front();
+  pressure.patch = geometry::moved(*pressure.patch, to - pressure.path.front());
   pressure.path.clear();
-  if (auto* circle = std::get_if<geometry::Circle>(&*pressure.patch)) circle->centre += by;
-  if (auto* polygon = std::get_if<geometry::Polygon>(&*pressure.patch))
-    for (auto& x : polygon->vertices) x += by;
   return pressure;
 }
 

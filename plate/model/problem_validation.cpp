@@ -75,9 +75,10 @@ void check_line(const geometry::Polyline& along, Refusal refusal, const Problem&
       say(fmt::format("the line lies along crack {}: move it to the face that it loads", i));
 }
 
-/// A patch that misses the plate, or whose boundary crosses itself. `refusal`: what it would be, "the pressure acts".
+/// A patch that misses the plate, unless it moves, or whose boundary crosses itself. `refusal`: what it would be, "the
+/// pressure acts".
 void check_patch(const std::optional<geometry::Hole>& shape, const Refusal& refusal, const geometry::Outline& outline,
-                 std::vector<Refusal>& found) {
+                 std::vector<Refusal>& found, bool moves = false) {
   const auto say = [&](const std::string& what) { found.push_back({refusal.subject, refusal.number, what}); };
   const auto* circle = shape ? std::get_if<geometry::Circle>(&*shape) : nullptr;
   if (circle && !(circle->radius > 0)) {
@@ -87,7 +88,7 @@ void check_patch(const std::optional<geometry::Hole>& shape, const Refusal& refu
     const geometry::Polygon ring{patch.ring(), std::vector<std::string>(patch.ring().size())};
     const auto errors = geometry::errors({ring, {}});
     for (const auto& one : errors) say(fmt::format("the polygon that {} on: {}", refusal.what, one.what));
-    if (errors.empty() && !patch.meets(outline)) say(refusal.what + " on nothing of the plate");
+    if (errors.empty() && !moves && !patch.meets(outline)) say(refusal.what + " on nothing of the plate");
   }
 }
 
@@ -268,14 +269,31 @@ void check_table(const Pressure& load, std::size_t number, const geometry::Outli
     }
 }
 
+/// True where a load that moves along a path acts on the plate anywhere.
+bool crosses_plate(const Load& load, const geometry::Outline& outline) {
+  constexpr int places = 200;  // of every piece
+  const auto& path = load.path();
+  const auto* pressure = load.as<Pressure>();
+  const auto acts_at = [&](const geometry::Point& x) {
+    if (!pressure || !pressure->patch) return on_plate(outline, x);
+    return geometry::Patch(geometry::moved(*pressure->patch, x - path.front())).meets(outline);
+  };
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    for (int n = 0; n <= places; ++n)
+      if (acts_at(path[i] + (path[i + 1] - path[i]) * n / places)) return true;
+  return false;
+}
+
 void check_place(const Load& load, std::size_t number, const geometry::Outline& outline, std::vector<Refusal>& found) {
   const auto* pressure = load.as<Pressure>();
-  if (pressure) check_patch(pressure->patch, {Subject::load_patch, number, "the pressure acts"}, outline, found);
+  if (pressure)
+    check_patch(pressure->patch, {Subject::load_patch, number, "the pressure acts"}, outline, found, load.moves());
   check_along(load.line(), {Subject::load_line, number, ""}, outline, found);
-  check_along(load.path(), {Subject::load_path, number, ""}, outline, found);
   const auto say = [&](Subject subject, const std::string& what) { found.push_back({subject, number, what}); };
   if (load.moves() && geometry::length(load.path()) < geometry::tolerance(outline))
     say(Subject::load_path, "the path has no length");
+  else if (load.moves() && !crosses_plate(load, outline))
+    say(Subject::load_path, "the path does not cross the plate");
   if (load.moves() && pressure) {
     if (!pressure->patch)
       say(Subject::load_path, "a pressure that moves needs a part of the plate to begin with: give on");

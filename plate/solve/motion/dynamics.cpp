@@ -224,7 +224,11 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     driven.restore(from->driven), travelling.restore(from->travelling);
     if (constraints.distributed() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
   }
-  if (!options.from && options.start.size() > 0 && !options.bent) driven.start();
+  if (!options.from && options.start.size() > 0 && !options.bent) {
+    driven.start();
+    const auto free = state_that_loads_move(state, driven, travelling);
+    travelling.start(free ? *free : state);
+  }
   Values<Real> force;
   std::optional<PendingExchange> rest;  // of the state
   for (std::size_t step = begin;; ++step) {

@@ -116,6 +116,10 @@ std::array<double, N> TravellingLoads::products(const std::array<double, N>& tim
   return sum_of_items<N>(*constraints_, loads_.size(), each);
 }
 
+void TravellingLoads::start(const State& state) {
+  if (any()) work_ = products<1>({0.0}, state)[0] / 2;
+}
+
 template <typename Real>
 void TravellingLoads::add(double time, double time_step, const State& state, Values<Real>& force) {
   if (!any()) return;

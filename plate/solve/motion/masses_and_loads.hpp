@@ -125,6 +125,8 @@ public:
 
   bool any() const { return !loads_.empty(); }
 
+  /// Starts from a state under loads that have grown slowly to what they are at time 0.
+  void start(const State& state);
   /// Counts the work up to now and adds the forces of now to the internal ones, before they are carried over. The time
   /// is a whole number of steps.
   template <typename Real>

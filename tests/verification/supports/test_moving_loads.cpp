@@ -5,6 +5,7 @@
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
@@ -106,5 +107,89 @@ TEST_CASE("a square of pressure that runs across a plate, along a path of severa
     CAPTURE(kind->name, coarse.rms, fine.rms, coarse.imbalance, fine.imbalance);
     CHECK(fine.rms < 0.03);
     CHECK(fine.imbalance < 0.01);
+  }
+}
+
+namespace {
+
+/// A plate on soil, which a slow wheel crosses.
+cases::Case on_soil(const FormulationKind* kind, const Load& wheel) {
+  auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 0.6), 0.05);
+  c.discretization.formulation = kind;
+  c.section = vp::section;
+  c.foundations = {Foundation{.modulus = 2000}};
+  c.loads = {wheel};
+  return c;
+}
+
+Load wheel(const Point& begin, const Point& end, double speed) {
+  const double r = 0.05;
+  return {Pressure{.value = 1 / (4 * r * r),
+                   .patch = geometry::Polygon{{begin + Point(-r, -r), begin + Point(r, -r), begin + Point(r, r),
+                                               begin + Point(-r, r)},
+                                              {}},
+                   .path = {begin, end},
+                   .speed = speed}};
+}
+
+/// The deflection at a place under the wheel that rests somewhere.
+double at_rest(const FormulationKind* kind, const Point& x, const Point& of_wheel) {
+  auto c = on_soil(kind, wheel(of_wheel, of_wheel, 1));
+  auto& pressure = std::get<Pressure>(c.loads.front().action);
+  pressure.path.clear();
+  const auto plate = vp::assembled(c);
+  const auto state =
+      solve_static(*plate, plate->total_load(), StaticMethod::direct, Preconditioning::automatic, {}, no_state())
+          .solution.state;
+  double w = 0;
+  for (const auto& share : plate->interpolation(x)) w += share.weight * state(0, share.point);
+  return w;
+}
+
+}  // namespace
+
+TEST_CASE("a slow wheel drives onto a plate, across it and off: the influence line, and its energies") {
+  const Point x(0.5, 0.3);
+  for (const auto* kind : formulations()) {
+    const double speed = 0.02, length = 1.4;  // a wave takes 0.02 of the time that the wheel takes
+    const auto plate = vp::assembled(on_soil(kind, wheel({-0.2, 0.3}, {1.2, 0.3}, speed)));
+    const auto shares = plate->interpolation(x);
+    DynamicOptions options;
+    options.time_step = 0.8 * stable_time_step(*plate, 1);
+    options.steps = std::size_t(length / speed / options.time_step) + 1;
+    options.observe_every = options.steps / 28;
+    double apart = 0, most = 0, imbalance = 0, work = 0;
+    central_differences(*plate, plate->constraints(), plate->mass(), plate->loads(), options, [&](const Instant& now) {
+      const Point at(-0.2 + speed * now.time, 0.3);
+      double w = 0;
+      for (const auto& share : shares) w += share.weight * now.state(0, share.point);
+      const bool on = at.x() > -0.04 && at.x() < 1.04;
+      const double rests = on ? at_rest(kind, x, at) : 0;
+      apart = std::max(apart, std::abs(w - rests)), most = std::max(most, std::abs(rests));
+      work = std::max(work, now.strain_energy);
+      imbalance = std::max(imbalance, std::abs(now.strain_energy + now.discrete_kinetic_energy - now.external_work));
+    });
+    CAPTURE(kind->name, options.steps, apart / most, imbalance / work);
+    CHECK(apart < 0.01 * most);
+    CHECK(imbalance < 0.01 * work);
+  }
+}
+
+TEST_CASE("a plate that starts in equilibrium under a wheel rests until it goes on") {
+  for (const auto* kind : formulations()) {
+    const auto plate = vp::assembled(on_soil(kind, wheel({0.3, 0.3}, {0.7, 0.3}, 1e-9)));
+    DynamicOptions options;
+    options.time_step = 0.8 * stable_time_step(*plate, 1);
+    options.steps = 400, options.observe_every = 50;
+    options.start = start_of(*plate, {});
+    REQUIRE(options.start.size() > 0);
+    double kinetic = 0, strain = 0, imbalance = 0;
+    central_differences(*plate, plate->constraints(), plate->mass(), plate->loads(), options, [&](const Instant& now) {
+      kinetic = std::max(kinetic, now.kinetic_energy), strain = now.strain_energy;
+      imbalance = std::max(imbalance, std::abs(now.strain_energy + now.kinetic_energy - now.external_work));
+    });
+    CAPTURE(kind->name, kinetic / strain, imbalance / strain);
+    CHECK(kinetic < 1e-8 * strain);
+    CHECK(imbalance < 1e-6 * strain);
   }
 }
