@@ -152,11 +152,6 @@ public:
   /// Derivatives of the energy by the rotations of the plate (rows) and by the displacements of its plane, symmetric
   /// (Problem::coupled()). Only of kinds that offer Feature::stretching.
   virtual PointMatrix coupling() const;
-  /// Mass off the middle plane. Only of kinds that offer Feature::stretching.
-  virtual MassOffsets mass_offsets() const;
-  /// Adds to a geometric stiffness, of membrane forces by the strains in the plane alone, those of the curvatures of a
-  /// section that couples and the axial forces of stiffeners. Only of kinds that offer Feature::stretching.
-  virtual PointMatrix with_coupling_forces(PointMatrix geometric, const State& bending, const State& in_plane) const;
   /// The plate itself, factorised. Only of kinds that offer it.
   virtual std::unique_ptr<Preconditioner> factor() const;
   virtual SingleForce single_precision() const { return {}; }  // nothing in kinds that do not offer it
@@ -179,6 +174,11 @@ public:
   virtual std::optional<double> width_of_pins() const { return std::nullopt; }
   /// Share of deflections by which edges between the points are usually off.
   virtual double error_of_edges() const { return 0; }
+  /// Mass off the middle plane. Only of kinds that offer Feature::stretching.
+  virtual MassOffsets mass_offsets() const;
+  /// Adds to a geometric stiffness, of membrane forces by the strains in the plane alone, those of the curvatures of a
+  /// section that couples and the axial forces of stiffeners. Only of kinds that offer Feature::stretching.
+  virtual PointMatrix with_coupling_forces(PointMatrix geometric, const State& bending, const State& in_plane) const;
 
 protected:
   explicit Formulation(Layout layout);

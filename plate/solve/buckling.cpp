@@ -92,6 +92,7 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
   constexpr double rough = 1e-2;  // enough to see how large the largest of the rest is
   Left left(A, purpose, constraints);
   Stiffness factor(B);
+  std::size_t solutions = 0;
   const auto search = [&](Eigen::Index count, double accuracy, const double* start) -> Eigenvectors {
     const auto basis = std::min<Eigen::Index>(std::max<Eigen::Index>(3 * count + 8, 24), B.rows());
     Spectra::SymGEigsSolver<Left, Stiffness, Spectra::GEigsMode::RegularInverse> lanczos(left, factor, count, basis);
@@ -102,6 +103,7 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
     lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, accuracy, Spectra::SortRule::LargestAlge);
     if (lanczos.info() != Spectra::CompInfo::Successful)
       throw NumericalError(purpose + ": the Lanczos iteration does not converge");
+    solutions += std::size_t(lanczos.num_operations());
     return {lanczos.eigenvalues(), lanczos.eigenvectors()};
   };
   const auto count = std::min<Eigen::Index>(Eigen::Index(wanted), B.rows() - 1);
@@ -125,7 +127,7 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
       result.values[i] = result.values[i - 1], result.vectors.col(i) = result.vectors.col(i - 1).eval();
     result.values[at] = more.values[0], result.vectors.col(at) = more.vectors.col(0);
   }
-  return {result.values.head(count), result.vectors.leftCols(count)};
+  return {result.values.head(count), result.vectors.leftCols(count), solutions};
 }
 
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
@@ -136,7 +138,7 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
   const auto all = unknowns(diagonal, elimination_order(folded_stiffness, diagonal));
   if (all.size() < 2) return {};
   const Matrix K = of_unknowns(folded_stiffness, all), K_g = of_unknowns(folded(geometric, plate.constraints()), all);
-  const auto [inverse_factors, vectors] =
+  const auto [inverse_factors, vectors, solutions] =
       largest_eigenvectors(Matrix(-K_g), K, modes, tolerance, "buckling", plate.constraints());
   const VectorXd weight = K.diagonal().cwiseInverse();
   const auto norm = [&](const VectorXd& force) { return std::sqrt(force.cwiseAbs2().dot(weight)); };

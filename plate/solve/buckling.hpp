@@ -22,8 +22,9 @@ struct BucklingMode {
 
 /// Eigenpairs of A x = mu B x, descending by mu; x . B x = 1.
 struct Eigenvectors {
-  Eigen::VectorXd values;   // mu
-  Eigen::MatrixXd vectors;  // x, side by side
+  Eigen::VectorXd values;     // mu
+  Eigen::MatrixXd vectors;    // x, side by side
+  std::size_t solutions = 0;  // of B y = A x
 };
 
 /// The pairs with the largest mu, `count` at most; multiple ones as often as they are. `A`, `B`: lower triangles of

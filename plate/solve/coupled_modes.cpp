@@ -120,7 +120,7 @@ const char* const buckled =
 
 /// The vectors of the lowest eigenvalues of (K, M), without rigid motions in the plane, of which there are `rigid`.
 MatrixXd lowest(const Matrix& K, const Matrix& M, Index rigid, const CoupledUnknowns& both,
-                const FrequencyOptions& options) {
+                const FrequencyOptions& options, std::size_t& solutions) {
   constexpr double none = 1e-5;  // of the shift: no strain
   const Matrix shifted = K + options.shift * M;
   const auto found = [&] {
@@ -131,6 +131,7 @@ MatrixXd lowest(const Matrix& K, const Matrix& M, Index rigid, const CoupledUnkn
       throw NumericalError(buckled);
     }
   }();
+  solutions = found.solutions;
   MatrixXd vectors = found.vectors;
   for (Index i = 0; i < vectors.cols(); ++i) vectors.col(i) /= std::sqrt(found.values[i]);
   Index strainless = 0;
@@ -165,7 +166,7 @@ FrequencySolution coupled_frequencies(const Formulation& plate, const Formulatio
   Matrix K = both.stiffness();
   if (geometric) K += both.of_deflections(*geometric);
   FrequencySolution result;
-  const MatrixXd vectors = lowest(K, M, rigid, both, options);
+  const MatrixXd vectors = lowest(K, M, rigid, both, options, result.solutions);
   for (Index i = 0; i < vectors.cols(); ++i) {
     const VectorXd x = vectors.col(i), Kx = product(K, x), Mx = product(M, x), bent = both.of_plate(x);
     const double kinetic = x.dot(Mx), square = x.dot(Kx) / kinetic;
@@ -177,6 +178,7 @@ FrequencySolution coupled_frequencies(const Formulation& plate, const Formulatio
     result.modes.push_back({std::sqrt(std::max(square, 0.0)) / (2 * std::numbers::pi), residual, std::move(bending),
                             std::move(in_plane), rest.dot(product(M, rest)) / kinetic});
   }
+  result.iterations = result.solutions;
   return result;
 }
 
@@ -185,7 +187,7 @@ std::vector<BucklingMode> coupled_buckling(const Formulation& plate, const Formu
   constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
   const CoupledUnknowns both(plate, membrane, pinned(membrane));
   const Matrix &K = both.stiffness(), K_g = both.of_deflections(geometric);
-  const auto [inverse_factors, vectors] =
+  const auto [inverse_factors, vectors, solutions] =
       largest_eigenvectors(Matrix(-K_g), K, modes, tolerance, "buckling", both.constraints());
   const double largest = K_g.diagonal().cwiseAbs().cwiseQuotient(K.diagonal()).maxCoeff();
   std::vector<BucklingMode> result;

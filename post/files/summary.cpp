@@ -144,10 +144,12 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
 }
 
 Json json_of(const Frequency& frequency) {
-  return {{"mode", frequency.mode},
-          {"frequency", frequency.frequency},
-          {"omega", frequency.omega},
-          {"residual", frequency.residual}};
+  Json json{{"mode", frequency.mode},
+            {"frequency", frequency.frequency},
+            {"omega", frequency.omega},
+            {"residual", frequency.residual}};
+  add(json, "share_in_plane", frequency.share_in_plane);
+  return json;
 }
 
 Json json_of(const GrowthSummary& growth) {

@@ -72,6 +72,7 @@ struct Frequency {
   std::size_t mode = 0;
   double frequency = 0, omega = 0;  // [1/time], 2 pi frequency
   double residual = 0;
+  std::optional<double> share_in_plane = {};  // of the kinetic energy, where bending and stretching are coupled
 };
 
 /// Load factor at which a plate buckles.
