@@ -79,7 +79,7 @@ public:
     constraints_.impose(both);
     const auto displacements = [&](const State& state) {
       VectorXd result(3 * points_);
-      result << state.row(0).head(points_).transpose(), state.row(1).tail(points_).transpose(),
+      result << state.row(0).head(points_).transpose(), -state.row(1).tail(points_).transpose(),
           state.row(2).tail(points_).transpose();
       return result;
     };

@@ -327,11 +327,44 @@ TEST_CASE("a run of a coupled section: reactions, energies, load cases that add 
   CHECK(std::abs(bent.at_end("u")) > 1e-4 * std::abs(bent.at_end("w")));
   const Run both("[[case]]\nname = 'a'\n[[case.load]]\n" + pressure + "[[case]]\nname = 'b'\n[[case.load]]\n" +
                  traction + "[[combination]]\nname = 'c'\nof = { a = 2.0, b = -3.0 }\n");
+  for (const auto& one : both.summary.load_cases) {
+    REQUIRE(one.energy_parts.size() == 3);
+    const double sum = one.energy_parts[0].second + one.energy_parts[1].second + one.energy_parts[2].second;
+    CHECK(sum == Approx(one.strain_energy).epsilon(1e-12));
+  }
   for (const std::string quantity : {"w", "u", "v"}) {
     CHECK(both.at_end(quantity, 0) == Approx(bent.at_end(quantity)).epsilon(1e-8));
     CHECK(both.at_end(quantity, 1) == Approx(pulled.at_end(quantity)).epsilon(1e-8));
     CHECK(both.at_end(quantity, 2) == Approx(2 * bent.at_end(quantity) - 3 * pulled.at_end(quantity)).epsilon(1e-7));
   }
+}
+
+TEST_CASE("a run of a coupled section: frequencies with their share in the plane, buckling loads that bend it") {
+  const auto with = [](const std::string& kind, const std::string& loads) {
+    std::string text = cantilever;
+    text.replace(text.find("kind = \"static\""), 15, "kind = \"" + kind + "\"\nmodes = 2");
+    text.insert(text.find("plies"), "density = 2.0\n");
+    text.erase(text.find("probes"), text.find('\n', text.find("probes")) - text.find("probes"));
+    return text + loads;
+  };
+  post::ResultsInMemory results;
+  results.wants_fields = true;
+  const auto run = [&](const std::string& text) {
+    return cases::run(cases::read_case_text(text, "cantilever", {}),
+                      {.folder = {}, .quiet = true, .in_memory = &results});
+  };
+  const auto vibrates = run(with("frequencies", ""));
+  REQUIRE(vibrates.frequencies.size() == 2);
+  for (const auto& one : vibrates.frequencies) {
+    REQUIRE(one.share_in_plane);
+    CHECK(*one.share_in_plane > 1e-6);
+    CHECK(*one.share_in_plane < 0.1);
+  }
+  const auto buckles = run(with("buckling", "[[load]]\nkind = 'edge_traction'\nedges = ['right']\nvalue = -0.2\n"));
+  REQUIRE(buckles.buckling.size() == 2);
+  CHECK(buckles.buckling[0].error);
+  CHECK(std::ranges::any_of(
+      buckles.warnings, [](const std::string& line) { return line.starts_with("the loads bend the coupled plate"); }));
 }
 
 TEST_CASE("a crack beside an eccentric rib: the releases in bending and in the plane are those of the energy") {
