@@ -28,14 +28,13 @@ PointMatrix no_blocks(std::size_t points) {
 PointMatrix stacked_mass(const Formulation& plate, double rotary) {
   const Forces own = unconstrained_mass(plate, rotary);
   const auto [first, second] = plate.mass_offsets();
-  const auto diagonal = [](double w, double rest) { return Eigen::Vector3d(w, rest, rest).asDiagonal(); };
   auto bending = no_blocks(plate.points()), in_plane = bending, coupling = bending;
   for (std::size_t k = 0; k < plate.points(); ++k) {
     const auto at = Index(k);
     bending.block[k].diagonal() = own.col(at);
-    bending.block[k] += diagonal(0, second[at]);
-    in_plane.block[k] = diagonal(0, own(0, at));
-    coupling.block[k] = diagonal(0, first[at]);
+    bending.block[k].diagonal().tail<2>().array() += second[at];
+    in_plane.block[k].diagonal().tail<2>().setConstant(own(0, at));
+    coupling.block[k].diagonal().tail<2>().setConstant(first[at]);
   }
   return stacked_matrix(bending, in_plane, coupling);
 }
@@ -147,7 +146,7 @@ MatrixXd lowest(const Matrix& K, const Matrix& M, Index rigid, const CoupledUnkn
 }  // namespace
 
 CoupledPrestress coupled_prestress(const Formulation& plate, const Formulation& membrane) {
-  const StaticOptions options{1e-9, 100, {}};
+  const StaticOptions options{1e-8, 100, {}};
   CoupledPrestress result{
       CoupledPlate(plate, membrane).equilibrium({zero_forces(plate.points()), membrane.total_load()}, options), {}};
   const auto& [of_both, bending, in_plane] =
