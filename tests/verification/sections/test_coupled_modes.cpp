@@ -69,27 +69,35 @@ PointMatrix pressed(const Formulation& membrane, double N) {
 
 }  // namespace
 
-TEST_CASE("coupled modes: Navier's frequencies of a [0/90] square, the mass off the middle plane too") {
-  for (const double h : {0.1, 0.01})
-    for (const double above : {2.0, 20.0}) {
-      const auto section = cross_ply(h, 2, above);
-      const auto modes = frequencies_of(square(section, 40), 3);
-      const double first = modes[0].frequency / navier_frequency(section, 1, 1) - 1;
-      INFO("h = " << h << ", density " << above << ": " << first);
-      CHECK(std::abs(first) < 0.003);
-      for (const int i : {1, 2})  // a double one
-        CHECK(modes[std::size_t(i)].frequency == Approx(navier_frequency(section, 1, 2)).epsilon(0.01));
-      CHECK(modes[0].share_in_plane < 0.05);
-      CHECK(modes[0].shape.row(0).cwiseAbs().maxCoeff() == 1);
-      CHECK(modes[0].in_plane.cwiseAbs().maxCoeff() > 0.01 * h);
-    }
+TEST_CASE("coupled modes: Navier's frequencies of a [0/90] square") {
+  for (const double h : {0.1, 0.01}) {
+    const auto modes = frequencies_of(square(cross_ply(h), 40), 1);
+    const double error = modes[0].frequency / navier_frequency(cross_ply(h), 1, 1) - 1;
+    INFO("h = " << h << ": " << error);
+    CHECK(std::abs(error) < 0.0015);  // measured: 0.085, 0.078 %
+    CHECK(modes[0].share_in_plane > h * h / 2);
+    CHECK(modes[0].share_in_plane < 2 * h * h);  // measured: 0.81, 1.09
+    CHECK(modes[0].shape.row(0).cwiseAbs().maxCoeff() == 1);
+    CHECK(modes[0].in_plane.cwiseAbs().maxCoeff() > 0.5 * h);  // measured: 0.64, 0.74
+  }
+}
+
+TEST_CASE("coupled modes: mass off the middle plane parts the double frequency of a [0/90] square") {
+  const auto section = cross_ply(0.1, 2, 20);
+  const auto modes = frequencies_of(square(section, 24), 3);
+  const auto [low, high] = std::minmax(navier_frequency(section, 1, 2), navier_frequency(section, 2, 1));
+  CHECK(high / low > 1.005);
+  INFO(modes[1].frequency / low - 1 << ", " << modes[2].frequency / high - 1);
+  CHECK(modes[1].frequency == Approx(low).epsilon(0.012));
+  CHECK(modes[2].frequency == Approx(high).epsilon(0.012));
+  CHECK(modes[2].frequency / modes[1].frequency == Approx(high / low).epsilon(0.001));
 }
 
 TEST_CASE("coupled modes: a plate turned with its plies has the same frequencies") {
   const auto plain = frequencies_of(square(cross_ply(0.05), 30), 3);
   const auto turned = frequencies_of(square(cross_ply(0.05), 30, 27), 3);
   for (std::size_t i = 0; i < plain.size(); ++i)
-    CHECK(turned[i].frequency == Approx(plain[i].frequency).epsilon(0.003));
+    CHECK(turned[i].frequency == Approx(plain[i].frequency).epsilon(0.0005));  // measured: 0.015 %
 }
 
 TEST_CASE("coupled modes: without coupling they are those of the plate alone") {
@@ -124,13 +132,13 @@ TEST_CASE("coupled modes: buckling of a [0/90] square, and its frequency below")
     const auto made = discretise(c);
     const auto modes = coupled_buckling(*made.plate, *made.membrane, pressed(*made.membrane, exact), 2, 1e-8);
     INFO("h = " << h << ": " << modes[0].factor - 1);
-    CHECK(std::abs(modes[0].factor - 1) < 0.003);
+    CHECK(std::abs(modes[0].factor - 1) < 0.003);  // measured: 0.24, 0.25 %
     CHECK(modes[0].residual < 1e-6);
     CHECK(modes[0].in_plane.cwiseAbs().maxCoeff() > 0.01 * h);
     const auto half = pressed(*made.membrane, exact / 2), twice = pressed(*made.membrane, 2 * exact);
     const auto options = options_of(c, 1);
     const double frequency = coupled_frequencies(*made.plate, *made.membrane, 1, &half, options).modes[0].frequency;
-    CHECK(frequency == Approx(navier_frequency(section, 1, 1, exact / 2)).epsilon(0.004));
+    CHECK(frequency == Approx(navier_frequency(section, 1, 1, exact / 2)).epsilon(0.001));  // measured: 0.048 %
     CHECK_THROWS_AS(coupled_frequencies(*made.plate, *made.membrane, 1, &twice, options), NumericalError);
   }
 }
@@ -151,7 +159,7 @@ TEST_CASE("coupled modes: a clamped [0/90] strip stays flat and buckles by D11 -
   const double shear = 5.0 / 6 * h / 2 * (500 + 200);
   const double factor = coupled_buckling(*made.plate, *made.membrane, geometric, 1, 1e-8)[0].factor;
   INFO(factor * (1 / euler + 1 / shear) - 1);
-  CHECK(factor == Approx(1 / (1 / euler + 1 / shear)).epsilon(0.003));
+  CHECK(factor == Approx(1 / (1 / euler + 1 / shear)).epsilon(0.002));  // measured: 0.088 %
 }
 
 namespace {
@@ -177,17 +185,16 @@ cases::Case ribbed_strip(double eccentricity, double mass, double degrees) {
 
 TEST_CASE("coupled modes: a strip with an eccentric rib swings as the composite beam") {
   const double axial = young * width * depth, own = density * width * depth;
-  for (const double mass : {0.0, 1e-3})
-    for (const double degrees : {0.0, 27.0}) {
-      const double e = 0.03, axis = rib_axial * e / (axial + rib_axial);
-      const double bending =
-          axial * depth * depth / 12 + rib_bending + axial * axis * axis + rib_axial * (e - axis) * (e - axis);
-      const double rotary = own * (depth * depth / 12 + axis * axis) + mass * (e - axis) * (e - axis);
-      const double exact = pi / 2 * std::sqrt(bending / (own + mass + pi * pi * rotary));
-      const double found = frequencies_of(ribbed_strip(e, mass, degrees), 1)[0].frequency;
-      INFO("mass " << mass << ", " << degrees << " degrees: " << found / exact - 1);
-      CHECK(found == Approx(exact).epsilon(0.005));
-    }
+  for (const auto& [mass, degrees] : {std::pair(0.0, 0.0), std::pair(1e-3, 27.0)}) {
+    const double e = 0.03, axis = rib_axial * e / (axial + rib_axial);
+    const double bending =
+        axial * depth * depth / 12 + rib_bending + axial * axis * axis + rib_axial * (e - axis) * (e - axis);
+    const double rotary = own * (depth * depth / 12 + axis * axis) + mass * (e - axis) * (e - axis);
+    const double exact = pi / 2 * std::sqrt(bending / (own + mass + pi * pi * rotary));
+    const double found = frequencies_of(ribbed_strip(e, mass, degrees), 1)[0].frequency;
+    INFO("mass " << mass << ", " << degrees << " degrees: " << found / exact - 1);
+    CHECK(found == Approx(exact).epsilon(0.003));  // measured: 0.20, 0.14 %
+  }
 }
 
 TEST_CASE("coupled modes: the axial force of a rib buckles it with the strip") {
@@ -201,5 +208,5 @@ TEST_CASE("coupled modes: the axial force of a rib buckles it with the strip") {
   const double factor = buckling(*made.plate, prestress(*made.membrane), 1, 1e-8)[0].factor;
   const double exact = pi * pi * (young * width * depth * depth * depth / 12 + rib_bending);
   INFO(factor / exact - 1);
-  CHECK(factor == Approx(exact).epsilon(0.02));
+  CHECK(factor == Approx(exact).epsilon(0.002));  // measured: 0.015 %
 }
