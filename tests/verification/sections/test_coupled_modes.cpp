@@ -85,12 +85,12 @@ TEST_CASE("coupled modes: Navier's frequencies of a [0/90] square") {
 TEST_CASE("coupled modes: mass off the middle plane parts the double frequency of a [0/90] square") {
   const auto section = cross_ply(0.1, 2, 20);
   const auto modes = frequencies_of(square(section, 24), 3);
-  const auto [low, high] = std::minmax(navier_frequency(section, 1, 2), navier_frequency(section, 2, 1));
+  const auto [low, high] = std::minmax({navier_frequency(section, 1, 2), navier_frequency(section, 2, 1)});
   CHECK(high / low > 1.005);
   INFO(modes[1].frequency / low - 1 << ", " << modes[2].frequency / high - 1);
-  CHECK(modes[1].frequency == Approx(low).epsilon(0.012));
-  CHECK(modes[2].frequency == Approx(high).epsilon(0.012));
-  CHECK(modes[2].frequency / modes[1].frequency == Approx(high / low).epsilon(0.001));
+  CHECK(modes[1].frequency == Approx(low).epsilon(0.01));                                // measured: 0.72 %
+  CHECK(modes[2].frequency == Approx(high).epsilon(0.01));                               // measured: 0.71 %
+  CHECK(modes[2].frequency / modes[1].frequency == Approx(high / low).epsilon(0.0005));  // measured: 3e-5
 }
 
 TEST_CASE("coupled modes: a plate turned with its plies has the same frequencies") {
