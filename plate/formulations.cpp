@@ -54,7 +54,8 @@ constexpr double of_factor = 1.4, of_general_factor = 1.55, of_short_horizon = 1
 /// Bytes while a factor is made, measured 3,770 to 4,220 n log2 n with bonds over 3 spacings (10,000 and 40,000
 /// points), 9,200 to 11,200 with nodes on or beyond the edges, whose matrix is not symmetric (2,500 to 40,000 points;
 /// what UMFPACK keeps in the end is 4,000 of them), 780 to 920 of cells (10,000 to 47,000), 300 with a short horizon
-/// (40,000), 1,225 and 1,308 n for two levels (40,000 and 160,000).
+/// (40,000), 1,225 and 1,308 n for two levels (40,000 and 160,000); of cells with their plane 2,600 (see
+/// check_memory()), of which 1,200 to 1,500 stay (1,000 to 3,700).
 double bytes_of_factor(double per_point, double points) {
   return per_point * points * std::log2(points + 2);
 }
@@ -75,6 +76,9 @@ UsualSolver usual_solver(const Problem& problem, StaticMethod method, Preconditi
   const bool bonds = d.formulation == &ordinary;
   const bool general = bonds && (d.boundary == EdgeMethod::surface_nodes || d.boundary == EdgeMethod::fictitious_nodes);
   const double of_bonds = (general ? 1120 : 440) * d.horizon_ratio * d.horizon_ratio;
+  if (problem.coupled())
+    return {StaticMethod::direct,         automatic, "factor of the plate and its plane", 0, of_factor,
+            bytes_of_factor(2600, points)};
   const UsualSolver own_factor{StaticMethod::direct,
                                automatic,
                                "factor of the plate",

@@ -101,10 +101,12 @@ constexpr const char* equilibria =
 constexpr const char* settlements = "load[].kind";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
 constexpr const char* coupled_at_rest =
-    "bending and stretching that are coupled are found at rest only yet: choose \"static\", make plies symmetric, or "
-    "remove stiffener[].eccentricity";
+    "bending and stretching that are coupled are found at rest, for frequencies and buckling only yet: choose "
+    "\"static\", make plies symmetric, or remove stiffener[].eccentricity";
 constexpr const char* axial_at_rest =
-    "the axial stiffness of stiffeners acts at rest only yet: choose \"static\", or remove stiffener[].axial";
+    "the axial stiffness of stiffeners acts at rest, for frequencies and buckling only yet: choose \"static\", or "
+    "remove "
+    "stiffener[].axial";
 constexpr const char* of_uncoupled =
     "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
@@ -259,9 +261,7 @@ const std::vector<Exclusion> excluded_pairs{
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
     {coupled_section, motion, "analysis.kind", coupled_at_rest},
-    {coupled_section, frequencies, "analysis.kind", coupled_at_rest},
     {coupled_section, harmonic, "analysis.kind", coupled_at_rest},
-    {coupled_section, buckling, "analysis.kind", coupled_at_rest},
     {coupled_section, large_deflections, "analysis.nonlinear",
      "plates whose bending and stretching are coupled are linear yet: remove it, make plies symmetric, or remove "
      "stiffener[].eccentricity"},
@@ -285,9 +285,6 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
     {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
     {axial_stiffener, motion, "analysis.kind", axial_at_rest},
-    {axial_stiffener, frequencies, "analysis.kind", axial_at_rest},
-    {axial_stiffener, harmonic, "analysis.kind", axial_at_rest},
-    {axial_stiffener, buckling, "analysis.kind", axial_at_rest},
     {axial_stiffener, large_deflections, "analysis.nonlinear",
      "axial forces of stiffeners do not bear on deflections yet: remove it, or stiffener[].axial"},
     {axial_stiffener, growth, "growth",

@@ -220,6 +220,8 @@ std::string of_solution(const RunEstimate& run, const Case& c) {
   if (run.time_step > 0)
     return fmt::format("time step     {:.4g} (stable limit {:.4g})\nsteps         {:.0f}\n", run.time_step,
                        run.time_limit, run.whole.steps);
+  if (c.coupled() && c.analysis.kind != Analysis::Kind::static_)
+    return fmt::format("solution      Lanczos iteration, {}\n", run.solver.words);
   if (c.analysis.kind == Analysis::Kind::frequencies)
     return fmt::format("solution      Lanczos iteration, about {:.0f} iterations of its solver\n",
                        run.costs.iterations);

@@ -203,6 +203,10 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const double number = now.time, work = now.external_work, strain = now.strain_energy;
   const double heated = plate::stored(plate_, heat, state) + (curved ? in_plane->stored : 0);
   one.strain_energy = strain + heated, one.external_work = work + heated;
+  if (coupled)
+    one.energy_parts = {{"bending", coupled->bending_energy},
+                        {"stretching", coupled->stretching_energy},
+                        {"coupling", coupled->coupling_energy}};
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain + now.potential;
   if (in_plane) row.in_plane = &in_plane->fields.displacement;

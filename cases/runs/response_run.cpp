@@ -12,8 +12,10 @@
 #include "plate/formulation/operator.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/coupled_modes.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/motion/harmonic.hpp"
@@ -164,8 +166,25 @@ public:
   void finish() override { results_.finish(); }
 
 private:
+  plate::FrequencySolution solution(const plate::FrequencyOptions& options);
+
   Results results_;
 };
+
+plate::FrequencySolution FrequencyRun::solution(const plate::FrequencyOptions& options) {
+  const auto& analysis = content().analysis;
+  const auto* membrane = ready_.membrane.get();
+  if (content().coupled()) {
+    const bool loaded = plate::loaded_in_plane(content());
+    const auto geometric = loaded ? plate::coupled_prestress(plate_, *membrane).geometric : plate::PointMatrix();
+    return plate::coupled_frequencies(plate_, *membrane, analysis.rotary_inertia, loaded ? &geometric : nullptr,
+                                      options);
+  }
+  const auto mass = plate_.mass(analysis.rotary_inertia);
+  if (!membrane) return plate::frequencies(plate_, plate_.constraints(), mass, options);
+  outputs_.warn(warnings_about_pressed_faces(*membrane, analysis));
+  return plate::frequencies_under_load(*membrane, plate_, mass, options);
+}
 
 void FrequencyRun::solve() {
   const auto& analysis = content().analysis;
@@ -174,7 +193,7 @@ void FrequencyRun::solve() {
   post::Progress progress(quiet(), "Lanczos iteration");
   const double usual = 4 * double(analysis.modes) + 12;  // solutions; 35 for 6 modes of a rectangle
   const double shift = plate::shift_of(plate_.section(), (high - low).maxCoeff());
-  const auto inverse = plate_.inverse_of_shifted(shift);
+  const auto inverse = content().coupled() ? nullptr : plate_.inverse_of_shifted(shift);
   const plate::FrequencyOptions options{
       analysis.modes, analysis.tolerance, analysis.max_iterations, shift, inverse.get(), [&](std::size_t solution) {
         plate::stop_if_asked("frequencies", plate_.constraints());
@@ -182,17 +201,15 @@ void FrequencyRun::solve() {
       }};
   summary.analysis.method = "lanczos";
   summary.analysis.tolerance = analysis.tolerance;
-  const auto mass = plate_.mass(analysis.rotary_inertia);
-  if (ready_.membrane) outputs_.warn(warnings_about_pressed_faces(*ready_.membrane, analysis));
-  const auto solution = ready_.membrane ? plate::frequencies_under_load(*ready_.membrane, plate_, mass, options)
-                                        : plate::frequencies(plate_, plate_.constraints(), mass, options);
+  const auto solution = this->solution(options);
   progress.done();
   stopwatch().lap("solve");
 
   summary.analysis.iterations = solution.iterations;
   summary.analysis.residual = 0;
+  const auto* both = content().coupled() ? ready_.membrane.get() : nullptr;
   for (std::size_t i = 0; i < solution.modes.size(); ++i) {
-    results_.mode(i + 1, solution.modes[i]);
+    results_.mode(i + 1, solution.modes[i], both);
     summary.analysis.residual = std::max(*summary.analysis.residual, solution.modes[i].residual);
   }
   stopwatch().lap("output");

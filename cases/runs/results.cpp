@@ -11,7 +11,9 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -124,13 +126,29 @@ void Results::frame(const plate::Instant& now) {
   outputs_.frame(plate_, std::move(frame), std::move(mesh), rates ? now.velocity() : plate::no_state());
 }
 
-void Results::mode(std::size_t number, const plate::Mode& mode) {
+void Results::mode(std::size_t number, const plate::Mode& mode, const plate::Formulation* membrane) {
   const auto when = fmt::format("of mode {}", number);
   post::require_finite({{"frequency", mode.frequency}, {"residual", mode.residual}}, when);
   post::require_finite(mode.shape, when, plate_);
   frequencies_.push_back({number, mode.frequency, 2 * std::numbers::pi * mode.frequency, mode.residual});
+  if (membrane) frequencies_.back().share_in_plane = mode.share_in_plane;
   outputs_.recorder().mode(frequencies_.back());
-  frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
+  shape(number, mode.shape, mode.in_plane, membrane);
+}
+
+void Results::shape(std::size_t number, const plate::State& bending, const plate::State& in_plane,
+                    const plate::Formulation* membrane) {
+  if (membrane && in_plane.cols() > 0) {
+    const std::optional<post::SrifOptions> no_factors;
+    const auto none = plate::zero_forces(plate_.points());
+    plate::CoupledEquilibrium found;
+    found.bending = bending, found.membrane = in_plane, found.on_bending = found.on_membrane = none;
+    membrane_ = membrane;
+    in_plane_ = membrane_results(plate_, *membrane, found, {none, none}, {no_factors, tip_methods_},
+                                 fmt::format("of mode {}", number));
+  }
+  frame({number, double(number), bending, {}, 0, 0, 0, 0});
+  in_plane_.reset();
 }
 
 /// Advice where the points do not resolve something. Growth in motion has bonds only.

@@ -44,8 +44,11 @@ public:
   void frame(const plate::Instant& now);
   /// Time of the next frame of a motion.
   double next_frame() const { return next_frame_; }
-  /// A row of frequencies.csv and a frame, number `number` (from 1).
-  void mode(std::size_t number, const plate::Mode& mode);
+  /// A row of frequencies.csv and a frame, number `number` (from 1). `membrane`: of a coupled plate its plane.
+  void mode(std::size_t number, const plate::Mode& mode, const plate::Formulation* membrane = nullptr);
+  /// A frame of the shape of a mode, with displacements of the plane where these have columns.
+  void shape(std::size_t number, const plate::State& bending, const plate::State& in_plane,
+             const plate::Formulation* membrane);
   /// Gives the outputs all tables, and what the summary says of them.
   void finish();
 

@@ -8,8 +8,10 @@
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"
+#include "plate/solve/coupled_modes.hpp"
 #include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -130,6 +132,14 @@ void CoupledRun::solve() {
     post::EnergyBalance(post::EnergyBalance::Plate::rests).check({strain, strain, work}, "in equilibrium");
 }
 
+std::vector<plate::BucklingMode> buckling_modes(const Case& c, const plate::Formulation& plate,
+                                                const plate::Formulation& membrane,
+                                                const plate::PointMatrix& geometric) {
+  const auto& [modes, tolerance] = std::tie(c.analysis.modes, c.analysis.tolerance);
+  return c.coupled() ? plate::coupled_buckling(plate, membrane, geometric, modes, tolerance)
+                     : plate::buckling(plate, geometric, modes, tolerance);
+}
+
 /// Factors of the same case with all spacings twice as wide; none where no such plate can be had.
 std::vector<double> coarser_buckling(const Case& c) {
   Case coarse = c;
@@ -138,9 +148,9 @@ std::vector<double> coarser_buckling(const Case& c) {
   try {
     const auto made = plate::discretise(coarse);
     if (!plate::loose(*made.plate).empty() || !plate::loose(*made.membrane).empty()) return result;
-    const auto geometric = plate::prestress(*made.membrane);
-    for (const auto& mode : plate::buckling(*made.plate, geometric, c.analysis.modes, c.analysis.tolerance))
-      result.push_back(mode.factor);
+    const auto geometric = c.coupled() ? plate::coupled_prestress(*made.plate, *made.membrane).geometric
+                                       : plate::prestress(*made.membrane);
+    for (const auto& mode : buckling_modes(c, *made.plate, *made.membrane, geometric)) result.push_back(mode.factor);
   } catch (const plate::Refused&) {
     return {};
   } catch (const plate::NumericalError&) {
@@ -159,19 +169,47 @@ public:
   void finish() override;
 
 private:
+  plate::PointMatrix prestress();
+  plate::PointMatrix coupled_prestress();
+
   Results results_;
 };
+
+/// Geometric stiffness of the flat plate under its loads, with what the summary says of these.
+plate::PointMatrix BucklingRun::prestress() {
+  const auto& analysis = content().analysis;
+  outputs_.warn(warnings_about_pressed_faces(*ready_.membrane, analysis));
+  const std::optional<post::SrifOptions> no_factors;
+  auto at_rest = membrane_at_rest(*ready_.membrane, analysis, {no_factors, ready_.membrane_methods});
+  summary().membrane = at_rest.summary;
+  outputs_.warn(std::move(at_rest.warnings));
+  return plate::prestress(*ready_.membrane);
+}
+
+/// Geometric stiffness of a coupled plate, which its loads in the plane may bend before it buckles.
+plate::PointMatrix BucklingRun::coupled_prestress() {
+  constexpr double flat = 1e-3;  // of the displacements in the plane
+  const auto& membrane = *ready_.membrane;
+  const std::optional<post::SrifOptions> no_factors;
+  auto [at_rest, geometric] = plate::coupled_prestress(plate_, membrane);
+  const plate::PlateLoads loads{plate::zero_forces(plate_.points()), membrane.total_load()};
+  summary().membrane =
+      membrane_results(plate_, membrane, at_rest, loads, {no_factors, ready_.membrane_methods}, "in the plane").summary;
+  const double w = at_rest.bending.row(0).cwiseAbs().maxCoeff();
+  if (w > flat * summary().membrane->largest_displacement)
+    outputs_.warn(
+        {fmt::format("the loads bend the coupled plate before it buckles, w = {:.2g} at factor 1: set "
+                     "analysis.kind = \"static\" with nonlinear = true",
+                     w)});
+  return std::move(geometric);
+}
 
 void BucklingRun::solve() {
   const auto& analysis = content().analysis;
   auto& summary = this->summary();
   post::Progress progress(quiet(), "buckling");
-  outputs_.warn(warnings_about_pressed_faces(*ready_.membrane, analysis));
-  const std::optional<post::SrifOptions> no_factors;
-  auto at_rest = membrane_at_rest(*ready_.membrane, analysis, {no_factors, ready_.membrane_methods});
-  summary.membrane = at_rest.summary;
-  outputs_.warn(std::move(at_rest.warnings));
-  const auto found = plate::buckling(plate_, plate::prestress(*ready_.membrane), analysis.modes, analysis.tolerance);
+  const auto geometric = content().coupled() ? coupled_prestress() : prestress();
+  const auto found = buckling_modes(content(), plate_, *ready_.membrane, geometric);
   const auto errors = errors_of_buckling(content(), found);
   progress.done();
   stopwatch().lap("solve");
@@ -183,7 +221,7 @@ void BucklingRun::solve() {
     post::require_finite(mode.shape, fmt::format("of buckling mode {}", number), plate_);
     summary.buckling.push_back({number, mode.factor, mode.residual, errors[number - 1]});
     summary.analysis.residual = std::max(*summary.analysis.residual, mode.residual);
-    results_.frame({number, double(number), mode.shape, {}, 0, 0, 0, 0});
+    results_.shape(number, mode.shape, mode.in_plane, ready_.membrane.get());
   }
   stopwatch().lap("output");
   summary.analysis.stop_reason = fmt::format("{} modes", found.size());

@@ -74,6 +74,12 @@ struct FacePair {
   }
 };
 
+/// Mass of a plate off its middle plane, of every point: integrals of rho z, and of rho z^2 of stiffeners, which
+/// Formulation::mass() leaves out [mass length, mass length^2].
+struct MassOffsets {
+  Eigen::VectorXd first, second;
+};
+
 /// Internal force in single precision.
 using SingleForce = std::function<void(const Values<float>& state, Values<float>& force)>;
 
@@ -168,6 +174,11 @@ public:
   virtual std::optional<double> width_of_pins() const { return std::nullopt; }
   /// Share of deflections by which edges between the points are usually off.
   virtual double error_of_edges() const { return 0; }
+  /// Mass off the middle plane. Only of kinds that offer Feature::stretching.
+  virtual MassOffsets mass_offsets() const;
+  /// Adds to a geometric stiffness, of membrane forces by the strains in the plane alone, those of the curvatures of a
+  /// section that couples and the axial forces of stiffeners. Only of kinds that offer Feature::stretching.
+  virtual PointMatrix with_coupling_forces(PointMatrix geometric, const State& bending, const State& in_plane) const;
 
 protected:
   explicit Formulation(Layout layout);

@@ -129,17 +129,43 @@ void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tes
   for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, law, a, b, sum); });
 }
 
-std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells) {
+std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells, int power) {
   std::vector<double> result;
   for (const auto& beam : problem.stiffeners) {
     if (beam.mass <= 0) continue;
+    const double mass = beam.mass * std::pow(beam.eccentricity, power);
     result.resize(cells.positions.size(), 0);
     for_elements(beam, cells, [&](const Node& a, const Node& b) {
       for (const auto* node : {&a, &b})
-        for (const auto& [k, share] : node->shares) result[k] += beam.mass * (b.at - a.at).norm() / 2 * share;
+        for (const auto& [k, share] : node->shares) result[k] += mass * (b.at - a.at).norm() / 2 * share;
     });
   }
   return result;
+}
+
+ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const State& bending,
+                                const State& in_plane) {
+  std::vector<ElasticSupport> parts;
+  for (const auto& beam : problem.stiffeners) {
+    if (!beam.stretches()) continue;
+    ElasticSupportSum sum(cells.positions.size());
+    for_elements(beam, cells, [&](const Node& a, const Node& b) {
+      const Point way = b.at - a.at;
+      const double length = way.norm();
+      Sum slopes, deflections;
+      add_slope(b, way / length, 1, slopes), add_slope(a, way / length, -1, slopes);
+      add_deflection(b, 1, deflections), add_deflection(a, -1, deflections);
+      double longer = 0;  // slopes are minus displacements along the beam at z = 1
+      for (const auto& [at, factor] : slopes)
+        longer -= factor * (at_dof(in_plane, at) + beam.eccentricity * at_dof(bending, at));
+      std::vector<FormTerm> terms;
+      for (const auto& [at, factor] : deflections)
+        if (factor != 0) terms.push_back({at, factor});
+      sum.add(beam.axial * longer / (length * length), terms);
+    });
+    parts.push_back(std::move(sum).taken("axial force", std::nullopt, false));
+  }
+  return ElasticSupports(std::move(parts));
 }
 
 namespace {

@@ -20,8 +20,14 @@ enum class PlateLaw;
 void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tessellation& cells,
                    ElasticSupportSum& sum);
 
-/// Mass of all stiffeners at every point [mass]; empty where none has any.
-std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells);
+/// Mass of all stiffeners at every point times a power of the z of their axes [mass length^power]; empty where none has
+/// any.
+std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells, int power = 0);
+
+/// Resistance of the axial forces of stiffeners to deflections, N (w')^2 / 2 along them, by a plate and its plane in a
+/// state. Negative in compression.
+ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const State& bending,
+                                const State& in_plane);
 
 /// Constructs all foundations and springs of a problem on points in the middles of cells.
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud);

@@ -32,6 +32,7 @@
 namespace plate {
 namespace {
 
+using Eigen::Index;
 using geometry::Point;
 
 template <typename T>
@@ -148,6 +149,8 @@ public:
                                           : zeros(points(), [](Column&, std::uint32_t) {});
     return with(std::move(by_section), elastic_supports_of(coupling_of(problem()), cells_));
   }
+  MassOffsets mass_offsets() const override;
+  PointMatrix with_coupling_forces(PointMatrix geometric, const State& bending, const State& in_plane) const override;
   std::unique_ptr<Preconditioner> factor() const override {
     if (distributed()) return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_));
     return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_));
@@ -175,6 +178,29 @@ std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {
         }))
       result[k] = cut()[k];
   return result;
+}
+
+MassOffsets GalerkinPlate::mass_offsets() const {
+  MassOffsets result;
+  result.first = section().first_moment() * Eigen::Map<const Eigen::VectorXd>(cloud().areas.data(), Index(points()));
+  result.second = Eigen::VectorXd::Zero(Index(points()));
+  const auto add = [&](int power, Eigen::VectorXd& sum) {
+    const auto masses = stiffener_masses(problem(), cells_, power);
+    if (!masses.empty()) sum += Eigen::Map<const Eigen::VectorXd>(masses.data(), Index(masses.size()));
+  };
+  add(1, result.first), add(2, result.second);
+  return result;
+}
+
+PointMatrix GalerkinPlate::with_coupling_forces(PointMatrix geometric, const State& bending,
+                                                const State& in_plane) const {
+  if (section().law == PlateLaw::bending && section().couples()) {
+    auto moments = resultants(bending), forces = moments;
+    forces.moments.setZero();
+    couple(moments, forces, section());
+    plate::add(GalerkinStretching(op_.families(), sections()).stiffness_of_forces(forces.moments), 1, geometric);
+  }
+  return with(std::move(geometric), axial_forces_of(problem(), cells_, bending, in_plane));
 }
 
 std::unique_ptr<Preconditioner> GalerkinPlate::multigrid() const {

@@ -27,6 +27,8 @@ public:
 
   /// Adds the forces of a free strain, the same in all directions, that is held.
   void hold(double free) { S_ -= free * stiffness_ * Eigen::Vector3d(1, 1, 0); }
+  /// Adds membrane forces times the area of the point.
+  void press(const Eigen::Vector3d& forces) { S_ += forces; }
 
   double energy() const;
   /// Mean strains xx, yy, 2 xy.
@@ -287,14 +289,15 @@ PointMatrix GalerkinStretching::stiffness(const State& bending, const State& mem
 
 namespace {
 
-/// Stiffness of the deflections of a flat plate under the membrane forces of a state, and of free strains that are
-/// held, where there are any.
+/// Stiffness of the deflections of a flat plate under the membrane forces of a state, and those that press(family,
+/// point) adds.
+template <typename Press>
 PointMatrix geometric_stiffness_of(const GalerkinFamilies& families, const PointSections& sections,
-                                   const State& membrane, const Eigen::VectorXd& free) {
+                                   const State& membrane, const Press& press) {
   auto result = zeros(families.areas.size(),
                       [&](Column& column, std::uint32_t k) { couple_to_families(column, families, k, 0); });
   const auto add = [&](Family& family, const std::vector<Member>& members, const auto& own) {
-    if (free.size() > 0) family.hold(free[std::ranges::find(members, 0U, &Member::place)->point]);
+    press(family, std::ranges::find(members, 0U, &Member::place)->point);
     for (const auto& column : members) {
       if (!own(column.point)) continue;
       auto at = result.first[column.point];
@@ -312,11 +315,18 @@ PointMatrix geometric_stiffness_of(const GalerkinFamilies& families, const Point
 }  // namespace
 
 PointMatrix GalerkinStretching::geometric_stiffness(const State& membrane) const {
-  return geometric_stiffness_of(families_, sections_, membrane, {});
+  return geometric_stiffness_of(families_, sections_, membrane, [](Family&, std::uint32_t) {});
 }
 
 PointMatrix GalerkinStretching::stiffness_of_heat(const Eigen::VectorXd& free) const {
-  return geometric_stiffness_of(families_, sections_, zero_state(families_.areas.size()), free);
+  return geometric_stiffness_of(families_, sections_, zero_state(families_.areas.size()),
+                                [&](Family& family, std::uint32_t k) { family.hold(free[k]); });
+}
+
+PointMatrix GalerkinStretching::stiffness_of_forces(const Eigen::Matrix3Xd& forces) const {
+  return geometric_stiffness_of(
+      families_, sections_, zero_state(families_.areas.size()),
+      [&](Family& family, std::uint32_t k) { family.press(families_.areas[k] * forces.col(k)); });
 }
 
 Stretch GalerkinStretching::stretch(const State& bending) const {

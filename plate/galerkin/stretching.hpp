@@ -18,6 +18,7 @@ public:
                       Forces& on_membrane) const override;
   PointMatrix stiffness(const State& bending, const State& membrane) const override;
   PointMatrix geometric_stiffness(const State& membrane) const override;
+  PointMatrix stiffness_of_forces(const Eigen::Matrix3Xd& forces) const override;
   Stretch stretch(const State& bending) const override;
   Eigen::Matrix3Xd membrane_forces(const State& bending, const State& membrane) const override;
   PointMatrix stiffness_of_heat(const Eigen::VectorXd& free) const override;

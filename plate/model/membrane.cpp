@@ -29,6 +29,11 @@ bool has_plane(const Problem& problem) {
   return problem.stretches || problem.faces_touch() || loaded_in_plane(problem) || problem.coupled();
 }
 
+std::vector<std::string> warnings_about_axial_stiffness(const Problem& problem) {
+  if (has_plane(problem) || std::ranges::none_of(problem.stiffeners, &Stiffener::stretches)) return {};
+  return {"stiffener[].axial does nothing, as no load acts in the plane; set `eccentricity` of ribs on one side"};
+}
+
 Problem membrane_of(Problem problem) {
   problem.section.law = PlateLaw::membrane;
   for (auto& support : problem.supports) support.kind = kind_in_plane(support);

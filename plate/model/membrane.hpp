@@ -10,6 +10,9 @@ bool loaded_in_plane(const Problem& problem);
 /// coupled, or faces of cracks touch.
 bool has_plane(const Problem& problem);
 
+/// Warning about stiffeners whose axial stiffness does nothing, as the plate has no plane beside it.
+std::vector<std::string> warnings_about_axial_stiffness(const Problem& problem);
+
 /// The plate in its plane (PlateLaw::membrane): what its supports hold there stands in their kinds, and its loads give
 /// what they do there: temperatures have their mean in place of the difference between the faces. Of stiffeners their
 /// axial stiffness acts there; foundations and springs do not.

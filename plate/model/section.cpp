@@ -139,6 +139,15 @@ bool Section::couples() const {
          std::abs(first) > rounding * thickness * mass;
 }
 
+double Section::first_moment() const {
+  double result = 0, z = -thickness / 2;
+  for (const auto& ply : plies) {
+    result += ply.density.value_or(density) * integral(PlateLaw::coupling, z, ply.thickness);
+    z += ply.thickness;
+  }
+  return result;
+}
+
 void Section::thicken(double factor) {
   thickness *= factor;
   for (auto& ply : plies) ply.thickness *= factor;

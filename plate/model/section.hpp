@@ -73,6 +73,8 @@ struct Section {
   double shear_stiffness() const;
   /// rho h [mass/length^2]
   double mass() const;
+  /// Integral of rho z; 0 where the mass is symmetric about z = 0 [mass/length]
+  double first_moment() const;
   /// h / sqrt(12 k_s): width of the layer beside free edges and faces of cracks in which twist and shear change; with
   /// directions the least of sqrt(D66 / S); of a membrane infinite, as it has none [length]
   double layer() const;

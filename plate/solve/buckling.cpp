@@ -3,11 +3,13 @@
 #include <Spectra/SymGEigsSolver.h>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -25,26 +27,36 @@ VectorXd product(const Matrix& lower, const double* x) {
   return lower.selfadjointView<Eigen::Lower>() * Eigen::Map<const VectorXd>(x, lower.rows());
 }
 
-/// -K_g.
-class Softening {
+/// A, less what belongs to eigenvectors already found.
+class Left {
 public:
   using Scalar = double;
-  Softening(const Matrix& geometric, const Constraints& constraints)
-      : geometric_(geometric), constraints_(constraints) {}
+  Left(const Matrix& lower, const std::string& purpose, const Constraints& constraints)
+      : lower_(lower), purpose_(purpose), constraints_(constraints) {}
 
-  Eigen::Index rows() const { return geometric_.rows(); }
-  Eigen::Index cols() const { return geometric_.cols(); }
+  Eigen::Index rows() const { return lower_.rows(); }
+  Eigen::Index cols() const { return lower_.cols(); }
   void perform_op(const double* x, double* y) const {
-    stop_if_asked("buckling", constraints_);
-    Eigen::Map<VectorXd>(y, rows()) = -product(geometric_, x);
+    stop_if_asked(purpose_.c_str(), constraints_);
+    Eigen::Map<VectorXd> result(y, rows());
+    result = product(lower_, x);
+    if (values_.size() > 0)
+      result -= times_B_ * values_.cwiseProduct(times_B_.transpose() * Eigen::Map<const VectorXd>(x, rows()));
+  }
+  /// `times_B`: B x of the eigenvectors.
+  void take_out(VectorXd values, Eigen::MatrixXd times_B) {
+    values_ = std::move(values), times_B_ = std::move(times_B);
   }
 
 private:
-  const Matrix& geometric_;
+  const Matrix& lower_;
+  const std::string& purpose_;
   const Constraints& constraints_;
+  VectorXd values_;
+  Eigen::MatrixXd times_B_;
 };
 
-/// K and its inverse.
+/// B and its inverse.
 class Stiffness {
 public:
   using Scalar = double;
@@ -74,29 +86,62 @@ State shape_of(const VectorXd& values, const Unknowns& unknowns, const Formulati
 
 }  // namespace
 
+Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t wanted, double tolerance,
+                                  const std::string& purpose, const Constraints& constraints) {
+  constexpr Eigen::Index most_restarts = 300;
+  constexpr double rough = 1e-2;  // enough to see how large the largest of the rest is
+  Left left(A, purpose, constraints);
+  Stiffness factor(B);
+  std::size_t solutions = 0;
+  const auto search = [&](Eigen::Index count, double accuracy, const double* start) -> Eigenvectors {
+    const auto basis = std::min<Eigen::Index>(std::max<Eigen::Index>(3 * count + 8, 24), B.rows());
+    Spectra::SymGEigsSolver<Left, Stiffness, Spectra::GEigsMode::RegularInverse> lanczos(left, factor, count, basis);
+    if (start)
+      lanczos.init(start);
+    else
+      lanczos.init();
+    lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, accuracy, Spectra::SortRule::LargestAlge);
+    if (lanczos.info() != Spectra::CompInfo::Successful)
+      throw NumericalError(purpose + ": the Lanczos iteration does not converge");
+    solutions += std::size_t(lanczos.num_operations());
+    return {lanczos.eigenvalues(), lanczos.eigenvectors()};
+  };
+  const auto count = std::min<Eigen::Index>(Eigen::Index(wanted), B.rows() - 1);
+  auto result = search(count, tolerance, nullptr);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  while (result.values.size() < B.rows() - 1) {  // a Krylov space holds one vector of each multiple eigenvalue
+    const double least = result.values[count - 1];
+    if (least <= 0) break;
+    left.take_out(result.values, B.selfadjointView<Eigen::Lower>() * result.vectors);
+    const VectorXd start = VectorXd::NullaryExpr(B.rows(), [&](Eigen::Index) { return uniform(random); });
+    auto more = search(1, rough, start.data());
+    if (more.values[0] * (1 + rough) < least) break;
+    more = search(1, tolerance, more.vectors.data());
+    if (more.values[0] <= least * (1 + tolerance)) break;
+    const auto before = result.values.size();
+    Eigen::Index at = 0;
+    while (at < before && result.values[at] >= more.values[0]) ++at;
+    result.values.conservativeResize(before + 1), result.vectors.conservativeResize(B.rows(), before + 1);
+    for (auto i = before; i > at; --i)
+      result.values[i] = result.values[i - 1], result.vectors.col(i) = result.vectors.col(i - 1).eval();
+    result.values[at] = more.values[0], result.vectors.col(at) = more.vectors.col(0);
+  }
+  return {result.values.head(count), result.vectors.leftCols(count), solutions};
+}
+
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance) {
   constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
-  constexpr Eigen::Index most_restarts = 300;
   const auto folded_stiffness = folded(plate.stiffness(), plate.constraints());
   const Forces diagonal = folded_diagonal(plate, plate.constraints());
   const auto all = unknowns(diagonal, elimination_order(folded_stiffness, diagonal));
   if (all.size() < 2) return {};
   const Matrix K = of_unknowns(folded_stiffness, all), K_g = of_unknowns(folded(geometric, plate.constraints()), all);
-  Softening softening(K_g, plate.constraints());
-  Stiffness stiffness(K);
-  const auto count = std::min<Eigen::Index>(Eigen::Index(modes), K.rows() - 1);
-  const auto basis = std::min<Eigen::Index>(std::max<Eigen::Index>(3 * count + 8, 24), K.rows());
-  Spectra::SymGEigsSolver<Softening, Stiffness, Spectra::GEigsMode::RegularInverse> lanczos(softening, stiffness, count,
-                                                                                            basis);
-  lanczos.init();
-  lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance, Spectra::SortRule::LargestAlge);
-  if (lanczos.info() != Spectra::CompInfo::Successful)
-    throw NumericalError("buckling: the Lanczos iteration does not converge");
+  const auto [inverse_factors, vectors, solutions] =
+      largest_eigenvectors(Matrix(-K_g), K, modes, tolerance, "buckling", plate.constraints());
   const VectorXd weight = K.diagonal().cwiseInverse();
   const auto norm = [&](const VectorXd& force) { return std::sqrt(force.cwiseAbs2().dot(weight)); };
-  const VectorXd inverse_factors = lanczos.eigenvalues();
-  const Eigen::MatrixXd vectors = lanczos.eigenvectors();
   const double largest = K_g.diagonal().cwiseAbs().cwiseProduct(weight).maxCoeff();
   std::vector<BucklingMode> result;
   for (Eigen::Index i = 0; i < inverse_factors.size(); ++i) {
@@ -116,6 +161,8 @@ PointMatrix prestress(const Formulation& membrane) {
   if (!found.solution.converged) throw NumericalError("in the plane: " + found.solution.stop_reason);
   const auto stretching = membrane.stretching();
   auto result = stretching->geometric_stiffness(found.solution.state);
+  if (std::ranges::any_of(membrane.problem().stiffeners, &Stiffener::stretches))
+    result = membrane.with_coupling_forces(std::move(result), zero_like(found.solution.state), found.solution.state);
   if (const auto heat = heat_of(membrane, 1); !heat.none())
     add(stretching->stiffness_of_heat(heat.curvature), 1, result);
   return result;

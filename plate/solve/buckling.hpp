@@ -1,6 +1,8 @@
 #pragma once
+#include <Eigen/SparseCore>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "plate/formulation/operator.hpp"
@@ -8,13 +10,30 @@
 
 namespace plate {
 
+class Constraints;
 class Formulation;
 
 struct BucklingMode {
-  double factor;    // of the loads in the plane
-  double residual;  // |K q + factor K_g q| / |K q|, in the norm of StaticOptions
-  State shape;      // u = P q; the largest |w| is 1 and positive
+  double factor;        // of the loads in the plane
+  double residual;      // |K q + factor K_g q| / |K q|, in the norm of StaticOptions
+  State shape;          // u = P q; the largest |w| is 1 and positive
+  State in_plane = {};  // of a plate whose bending and stretching are coupled
 };
+
+/// Eigenpairs of A x = mu B x, descending by mu; x . B x = 1.
+struct Eigenvectors {
+  Eigen::VectorXd values;     // mu
+  Eigen::MatrixXd vectors;    // x, side by side
+  std::size_t solutions = 0;  // of B y = A x
+};
+
+/// The pairs with the largest mu, `count` at most; multiple ones as often as they are. `A`, `B`: lower triangles of
+/// symmetric matrices, B positive. `purpose`: names the analysis in messages.
+/// @throws NumericalError  where the iteration does not converge
+/// @throws NotPositive     where B is not positive
+Eigenvectors largest_eigenvectors(const Eigen::SparseMatrix<double>& A, const Eigen::SparseMatrix<double>& B,
+                                  std::size_t count, double tolerance, const std::string& purpose,
+                                  const Constraints& constraints);
 
 /// The lowest positive factors of its membrane forces at which a flat plate buckles, K q = -factor K_g q on the free
 /// degrees of freedom, ascending: as many as there are, `modes` at most. `geometric`:

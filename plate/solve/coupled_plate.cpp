@@ -6,9 +6,7 @@
 #include "plate/solve/stretching.hpp"
 
 namespace plate {
-namespace {
 
-/// The stiffness of both: points of the plate, then the same points in their plane.
 PointMatrix stacked_matrix(const PointMatrix& plate, const PointMatrix& plane, const PointMatrix& coupling) {
   const auto points = std::uint32_t(plate.points());
   PointMatrix result;
@@ -36,10 +34,20 @@ PointMatrix stacked_matrix(const PointMatrix& plate, const PointMatrix& plane, c
   return result;
 }
 
-}  // namespace
-
 PointMatrix Formulation::coupling() const {
   throw std::logic_error("a coupling was asked of a formulation that does not offer it");
+}
+
+MassOffsets Formulation::mass_offsets() const {
+  throw std::logic_error("mass off the middle plane was asked of a formulation that does not offer it");
+}
+
+PointMatrix Formulation::with_coupling_forces(PointMatrix, const State&, const State&) const {
+  throw std::logic_error("forces of a coupling were asked of a formulation that does not offer it");
+}
+
+PointMatrix Stretching::stiffness_of_forces(const Eigen::Matrix3Xd&) const {
+  throw std::logic_error("given membrane forces were asked of a formulation that does not offer them");
 }
 
 /// The stiffness of stacked states.

@@ -9,6 +9,10 @@
 
 namespace plate {
 
+/// A matrix of both: points of a plate, then the same points in their plane. `coupling`: of the points of the plane
+/// (rows) and of the plate (columns), symmetric.
+PointMatrix stacked_matrix(const PointMatrix& plate, const PointMatrix& plane, const PointMatrix& coupling);
+
 /// Equilibrium of a plate whose bending and stretching act on each other.
 struct CoupledEquilibrium {
   StaticSolution of_both;          // stacked states

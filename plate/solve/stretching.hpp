@@ -50,6 +50,9 @@ public:
   /// directions, of every point. Half its product with deflections is the energy by which strains of a heated plate
   /// exceed those above.
   virtual PointMatrix stiffness_of_heat(const Eigen::VectorXd& free) const = 0;
+  /// Stiffness of the deflections of a flat plate under membrane forces Nxx, Nyy, Nxy of every point [force/length].
+  /// Only of formulations that offer coupling().
+  virtual PointMatrix stiffness_of_forces(const Eigen::Matrix3Xd& forces) const;
 };
 
 }  // namespace plate

@@ -73,7 +73,7 @@ void check_two_level(const Formulation& plate, const Analysis& analysis, Validat
 void check_memory(const Formulation& plate, const Analysis& analysis, Validation& result) {
   constexpr double per_bond = 330;
   const auto& problem = plate.problem();
-  if (!(problem.stretches || problem.coupled()) || analysis.kind != Analysis::Kind::static_) return;
+  if (!(problem.stretches || problem.coupled()) || analysis.kind == Analysis::Kind::dynamic) return;
   const double bytes =
       per_bond * double(plate.bonds() + plate.fictitious_bonds()) * std::log2(double(plate.points()) + 2);
   const double there = free_memory(), spacing = plate.discretization().spacing;

@@ -111,6 +111,9 @@ void Recorder::row(const Sample& s, const std::vector<Probe>& probes, const plat
 
 void Recorder::mode(const Frequency& one) {
   frequencies_.rows.push_back({double(one.mode), one.frequency, one.omega, one.residual});
+  if (!one.share_in_plane) return;
+  if (frequencies_.rows.size() == 1) frequencies_.columns.emplace_back("share_in_plane");
+  frequencies_.rows.back().emplace_back(*one.share_in_plane);
 }
 
 void Recorder::frame(Frame frame, std::optional<plate::Mesh> mesh, plate::State velocity) {

@@ -144,10 +144,12 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
 }
 
 Json json_of(const Frequency& frequency) {
-  return {{"mode", frequency.mode},
-          {"frequency", frequency.frequency},
-          {"omega", frequency.omega},
-          {"residual", frequency.residual}};
+  Json json{{"mode", frequency.mode},
+            {"frequency", frequency.frequency},
+            {"omega", frequency.omega},
+            {"residual", frequency.residual}};
+  add(json, "share_in_plane", frequency.share_in_plane);
+  return json;
 }
 
 Json json_of(const GrowthSummary& growth) {
@@ -270,7 +272,9 @@ Json json_of(const LoadCaseSummary& one) {
   json["srif"] = json_of(one.srif, one.faces);
   json["extremes"] = json_of(one.extremes, false);
   if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
-  json["energy"] = {{"strain", one.strain_energy}, {"external_work", one.external_work}};
+  auto& energy = json["energy"] = {{"strain", one.strain_energy}};
+  for (const auto& [name, value] : one.energy_parts) energy[name] = value;
+  energy["external_work"] = one.external_work;
   if (one.membrane) json["membrane"] = json_of(*one.membrane);
   if (one.contact) json["contact"] = json_of(*one.contact);
   return json;

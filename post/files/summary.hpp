@@ -72,6 +72,7 @@ struct Frequency {
   std::size_t mode = 0;
   double frequency = 0, omega = 0;  // [1/time], 2 pi frequency
   double residual = 0;
+  std::optional<double> share_in_plane = {};  // of the kinetic energy, where bending and stretching are coupled
 };
 
 /// Load factor at which a plate buckles.
@@ -132,6 +133,8 @@ struct LoadCaseSummary {
   std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
   bool large_deflections = false;                // solved by itself, also a combination
   std::optional<ContactSummary> contact = {};    // where faces of cracks may touch: solved by itself
+  // of strain_energy, where bending and stretching are coupled: bending, stretching, coupling
+  std::vector<std::pair<std::string, double>> energy_parts = {};
 
   /// True of a combination that is the sum of states.
   bool superposed() const { return !of.empty() && !large_deflections && !contact; }

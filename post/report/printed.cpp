@@ -345,10 +345,13 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
   if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);
   if (!summary.extremes.empty()) peaks(out, summary.extremes, false, thickness);
+  const bool both = !summary.frequencies.empty() && summary.frequencies.front().share_in_plane;
   if (!summary.frequencies.empty())
-    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}\n", "mode", "frequency", "omega", "residual");
+    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}{}\n", "mode", "frequency", "omega", "residual",
+                   both ? "  share in plane" : "");
   for (const auto& f : summary.frequencies)
-    fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}\n", f.mode, f.frequency, f.omega, f.residual);
+    fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}{}\n", f.mode, f.frequency, f.omega, f.residual,
+                   both ? fmt::format("  {:>14.3g}", f.share_in_plane.value_or(0)) : "");
   if (!summary.buckling.empty())
     fmt::format_to(out, "{:>4} {:>15} {:>9} {:>9}\n", "mode", "load factor", "residual", "error");
   for (const auto& one : summary.buckling)

@@ -22,6 +22,9 @@ struct Mode {
   double frequency;  // [1/time]
   double residual;   // |K q - omega^2 M q| / |(omega^2 + sigma) M q|, in the norm of StaticOptions
   State shape;       // u = P q; the largest |w| is 1 and positive
+  // of a plate whose bending and stretching are coupled, where the largest of w, u and v is 1:
+  State in_plane = {};
+  double share_in_plane = 0;  // of the kinetic energy
 };
 
 struct FrequencySolution {

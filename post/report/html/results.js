@@ -74,8 +74,9 @@ function contact_section() {
 function frequencies_section() {
   const { frequencies } = data.summary;
   if (!frequencies) return null;
-  return section("Frequencies", table([{ title: "mode" }, { title: "frequency", unit: unit("frequency") }, { title: "ω", unit: si ? "1/s" : "" }, { title: "residual" }],
-    frequencies.map((_, i) => [value(`frequencies[${i}].mode`), value(`frequencies[${i}].frequency`, 7), value(`frequencies[${i}].omega`, 7), value(`frequencies[${i}].residual`, 3)]), { "data-table": "frequencies" }));
+  const both = frequencies.some(one => "share_in_plane" in one);
+  return section("Frequencies", table([{ title: "mode" }, { title: "frequency", unit: unit("frequency") }, { title: "ω", unit: si ? "1/s" : "" }, { title: "residual" }, ...(both ? [{ title: "share in plane" }] : [])],
+    frequencies.map((_, i) => [value(`frequencies[${i}].mode`), value(`frequencies[${i}].frequency`, 7), value(`frequencies[${i}].omega`, 7), value(`frequencies[${i}].residual`, 3), ...(both ? [value(`frequencies[${i}].share_in_plane`, 3)] : [])]), { "data-table": "frequencies" }));
 }
 
 function growth_section() {

@@ -1,6 +1,7 @@
 #include "plate/formulations.hpp"
 
 #include "plate/bonds/ordinary_plate.hpp"
+#include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/problem.hpp"
 #include "tests/catch.hpp"
 
@@ -21,4 +22,17 @@ TEST_CASE("usual solver: what UMFPACK takes with nodes on or beyond the edges, m
     }
   problem.discretization.boundary = EdgeMethod::images;
   CHECK(usual_solver(problem, StaticMethod::direct, Preconditioning::automatic, 1e4).bytes < 0.6e9);
+}
+
+TEST_CASE("usual solver: a plate whose bending and stretching are coupled has the factor of both") {
+  Problem problem;
+  problem.discretization.formulation = &galerkin;
+  const auto alone = usual_solver(problem, StaticMethod::direct, Preconditioning::automatic, 1e4);
+  problem.stiffeners.emplace_back().axial = 1;
+  CHECK(usual_solver(problem, StaticMethod::cg, Preconditioning::automatic, 1e6).method == StaticMethod::cg);
+  problem.stiffeners[0].eccentricity = 0.1;
+  const auto both = usual_solver(problem, StaticMethod::cg, Preconditioning::automatic, 1e4);
+  CHECK(both.method == StaticMethod::direct);
+  CHECK(both.words == "factor of the plate and its plane");
+  CHECK(both.bytes > 2 * alone.bytes);
 }

@@ -48,7 +48,9 @@ TEST_CASE("beams act in the plane by their axial stiffness, and couple where the
   problem.stiffeners = {bends, pulls};
   CHECK_FALSE(problem.coupled());
   CHECK_FALSE(has_plane(problem));
+  CHECK(warnings_about_axial_stiffness(problem).size() == 1);
   problem.stiffeners.push_back(rib);
+  CHECK(warnings_about_axial_stiffness(problem).empty());
   CHECK(problem.coupled());
   CHECK(has_plane(problem));
   const auto in_plane = membrane_of(problem).stiffeners, between = coupling_of(problem).stiffeners;
