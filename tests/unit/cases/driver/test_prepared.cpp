@@ -88,3 +88,15 @@ TEST_CASE("prepared: a motion has its steps, none above the stable one, and meth
   CHECK_FALSE(still.steps);
   CHECK(still.tip_methods.empty());
 }
+
+TEST_CASE("prepared: a load so fast that steps miss points is told, with a speed at which they do not") {
+  const auto said = [](const std::string& speed) {
+    const cases::Prepared motion(case_text::read(
+        moving(), {"discretization.spacing=0.1", "geometry.cracks=[]", "-srif",
+                   "load=[{kind='point_force', value=1, path=[[-0.5, 0.0], [0.5, 0.0]], speed=" + speed + "}]"}));
+    return std::ranges::count_if(motion.warnings,
+                                 [](const auto& one) { return one.find("load[0].speed = ") != one.npos; });
+  };
+  CHECK(said("1e9") == 1);
+  CHECK(said("1") == 0);
+}
