@@ -124,12 +124,12 @@ TEST_CASE("faults of edges: a traction all round a free hub pulls it nowhere, un
 
 TEST_CASE("faults of edges: one has no name that the reaction of a pin, line, part or hub has") {
   auto problem = square();
-  problem.outline.outer.names = {"a", "b", "c", "hub0"};
+  problem.outline.outer.edge_names = {"a", "b", "c", "hub0"};
   plate::Support hub{plate::SupportKind::hub, {}, {}};
   hub.patch = geometry::Circle{{0.5, 0.5}, 0.1, ""};
   problem.supports = {hub};
   CHECK(found(problem) == Found{{Subject::geometry, 0}});
-  problem.outline.outer.names.back() = "hub1";
+  problem.outline.outer.edge_names.back() = "hub1";
   CHECK(found(problem).empty());
 }
 
