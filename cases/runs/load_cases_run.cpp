@@ -193,6 +193,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   const double number = now.time, work = now.external_work, strain = now.strain_energy;
   const double heated = plate::stored(plate_, heat, state) + (curved ? in_plane->stored : 0);
   one.strain_energy = strain + heated, one.external_work = work + heated;
+  if (curved) one.membrane->external_work = one.external_work;
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain + now.potential;
   if (in_plane) row.in_plane = &in_plane->fields.displacement;
