@@ -99,6 +99,19 @@ namespace {
 
 constexpr std::size_t many_steps = 100000;
 
+/// Warnings of loads that move so fast that steps miss points.
+std::vector<std::string> warnings_about_speeds(const Case& c, double time_step) {
+  std::vector<std::string> result;
+  const double fastest = c.discretization.spacing / time_step;
+  for (std::size_t i = 0; i < c.loads.size(); ++i)
+    if (const auto& load = c.loads[i]; load.moves() && load.speed() > fastest)
+      result.push_back(
+          fmt::format("{} moves {:.2g} spacings per time step, so that steps miss points; set {}.speed = "
+                      "{:.2g} or less",
+                      key_of_load(c, i), load.speed() / fastest, key_of_load(c, i), fastest));
+  return result;
+}
+
 /// Lanczos vectors need static answers: a plate that moves freely takes steps, unless its case states the vectors.
 void resolve_free_motion(CaseFile& file, const plate::Formulation& plate) {
   if (!plate.may_move() && plate.held()) return;
@@ -147,6 +160,7 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
           membrane ? plate::stable_time_step(*plate, *membrane, rotary) : plate::stable_time_step(*plate, rotary);
       const double limit = plate::stable_step(free, *plate, c.analysis, begin);
       steps = {limit, time_grid(file, limit)};
+      std::ranges::move(warnings_about_speeds(c, steps->grid.time_step), std::back_inserter(warnings));
       if (limit < 0.2 * free && steps->grid.steps > many_steps)
         warnings.push_back(fmt::format(
             "{} steps: damping, an impact or a given motion shortens the stable step from {:.2g} to {:.2g}; "

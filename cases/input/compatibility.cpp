@@ -56,7 +56,6 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {layers, "supports in layers outside the plate"},
     {hubs, "supports of kind `\"hub\"`"},
     {hubs_on_springs, "hubs with `k_w`"},
-    {hubs_free_in_plane, "hubs that are free in the plane"},
     {nodes_on_edges, "`discretization.boundary` other than `\"images\"`"},
     {processes, "several processes (`pdplate_distributed`)"},
 });
@@ -205,9 +204,6 @@ const std::vector<Exclusion> excluded_pairs{
     {hubs_on_springs, frequencies, hub_springs, hub_inertia},
     {hubs_on_springs, harmonic, hub_springs, hub_inertia},
     {hubs_on_springs, growth_from_rest_to_motion, hub_springs, hub_inertia},
-    {hubs_free_in_plane, motion_in_plane, layer_kinds,
-     "the mass of a disc that moves in its plane is not carried in motion yet: set in_plane = \"fixed\", or hold the "
-     "hole by \"clamped\""},
     {processes, second_formulation, "srif.second_formulation", by_one_process("a second formulation cannot be run")},
     {processes, factors_to_accuracy, "srif.accuracy", by_one_process("spacings cannot be sought")},
     {load_in_plane, harmonic, "analysis.kind",
@@ -386,9 +382,6 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(std::ranges::any_of(content.supports, is_hub), hubs);
   add(std::ranges::any_of(content.supports, [](const auto& support) { return support.k_w.has_value(); }),
       hubs_on_springs);
-  add(std::ranges::any_of(content.supports,
-                          [](const auto& one) { return is_hub(one) && one.held_in_plane() == plate::InPlane::free; }),
-      hubs_free_in_plane);
   add(content.discretization.boundary != plate::EdgeMethod::images, nodes_on_edges);
   add(distributed, processes);
   if (content.growth) add_growth(content, add);
@@ -403,9 +396,8 @@ std::vector<std::string> keys_of(const Exclusion& exclusion, const Case& content
   for (std::size_t i = 0; exclusion.key == settlements && i < content.loads.size(); ++i)
     if (content.loads[i].as<plate::Settlement>()) result.push_back(key_of_load(content, i) + ".kind");
   for (std::size_t i = 0; exclusion.key == layer_kinds && i < content.supports.size(); ++i)
-    if (exclusion.one == hubs || exclusion.other == hubs || exclusion.one == hubs_free_in_plane
-            ? is_hub(content.supports[i])
-            : plate::is_layer(content.supports[i].kind))
+    if (exclusion.one == hubs || exclusion.other == hubs ? is_hub(content.supports[i])
+                                                         : plate::is_layer(content.supports[i].kind))
       result.push_back(fmt::format("support[{}].kind", i));
   for (std::size_t i = 0; exclusion.key == hub_springs && i < content.supports.size(); ++i)
     if (content.supports[i].k_w) result.push_back(fmt::format("support[{}].k_w", i));

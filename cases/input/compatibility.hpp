@@ -55,7 +55,6 @@ enum class Part {
   layers,
   hubs,
   hubs_on_springs,
-  hubs_free_in_plane,
   nodes_on_edges,
   processes
 };

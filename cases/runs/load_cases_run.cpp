@@ -207,6 +207,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
     one.energy_parts = {{"bending", coupled->bending_energy},
                         {"stretching", coupled->stretching_energy},
                         {"coupling", coupled->coupling_energy}};
+  if (curved) one.membrane->external_work = one.external_work;
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain + now.potential;
   if (in_plane) row.in_plane = &in_plane->fields.displacement;

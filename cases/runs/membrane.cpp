@@ -1,10 +1,13 @@
 #include "cases/runs/membrane.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <numbers>
 
 #include "cases/runs/cost_estimate.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
@@ -41,6 +44,32 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
   return result;
 }
 
+/// A warning of the pin whose force in the plane changes the factors of a tip near it most, by those of an infinite
+/// plate: N = P / (pi sqrt(2 d)), d the distance from the tip.
+std::vector<std::string> warnings_about_pins(const plate::Formulation& membrane,
+                                             const std::vector<post::MembraneSummary::Reaction>& reactions,
+                                             const std::vector<post::Srif>& factors) {
+  constexpr double much = 0.2;  // of the largest factor of the tip
+  double worst = much;
+  std::vector<std::string> result;
+  for (const auto& holder : membrane.boundary().holders) {
+    const auto found = std::ranges::find(reactions, holder.name, &post::MembraneSummary::Reaction::name);
+    if (holder.place != plate::Holder::Place::point || !holder.position || found == reactions.end()) continue;
+    for (const auto* one : post::recommended(factors)) {
+      const double away = (*holder.position - one->position).norm(), force = found->force.norm();
+      const double share =
+          force / (std::numbers::pi * std::sqrt(2 * away) * std::max(std::abs(one->K1), std::abs(one->K2)));
+      if (!(share > worst)) continue;
+      worst = share;
+      result = {
+          fmt::format("{} pulls with {:.3g} at {:.2g} from tip {}, whose N1 and N2 depend on it; set "
+                      "support[{}].points away from tips",
+                      holder.name, force, away, one->tip, holder.support)};
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
@@ -50,8 +79,14 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
-  result.forces = membrane.resultants(state);
-  plate::relieve(result.forces, membrane.section(), heat);
+  if (heat.linear &&
+      heat.linear->varies()) {  // strains at edges are means of half a cell, where those of the heat are not
+    result.forces =
+        membrane.resultants(state - plate::free_field(membrane.cloud().positions, membrane.problem(), *heat.linear));
+  } else {
+    result.forces = membrane.resultants(state);
+    plate::relieve(result.forces, membrane.section(), heat);
+  }
   result.fields.displacement.resize(2, points);
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
   result.fields.force = result.forces.moments;
@@ -70,6 +105,8 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   summary.external_work = post::slow_work(membrane, load, state) + result.stored;
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
   summary.reactions = reactions_of(membrane, state, load);
+  for (const auto& line : warnings_about_pins(membrane, summary.reactions, result.factors))
+    result.warnings.push_back(of_plane(line));
   return result;
 }
 
@@ -178,6 +215,8 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
   summary.residual = solution.residual;
   const double work = post::slow_work(membrane, found);
   summary.external_work = work + result.stored;
+  if (only_stored(std::abs(summary.strain_energy), std::abs(result.stored)))
+    result.warnings.clear();  // heat leaves the plate free of stress: N1 and N2 are rounding
   if (heat.none() && !post::moves(solution.state, work, membrane))  // a heated plate may be held all round
     post::require_motion(membrane, post::forces_of(membrane), solution.state, work, result.warnings);
   if (membrane.offers(plate::Feature::symmetry)) {

@@ -222,6 +222,7 @@ void Results::finish() {
   outputs_.warn(post::tips_that_grow(summary));
   outputs_.warn(post::sinking_supports(summary.reactions, content(),
                                        section.thickness * summary.deflection_over_thickness.value_or(0)));
+  if (!content().moves()) outputs_.warn(post::unbalanced_hubs(summary.reactions, content()));
   if (in_plane_) {
     overlaps.clear();
     outputs_.warn(in_plane_->warnings);

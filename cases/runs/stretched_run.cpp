@@ -65,13 +65,14 @@ void LargeDeflectionRun::solve() {
   results_.in_plane(membrane, std::move(in_plane));
   if (content().faces_touch()) results_.touching(faces_found(found.touching, plate_));
   results_.sample(end, true);
+  summary.membrane->external_work = results_.external_work();  // of all loads, with what heat across the plate puts in
   stopwatch().lap("srif");
   results_.frame(end);
   summary.energy = {{"strain", results_.strain_energy()},
                     {"bending", found.bending_energy + (results_.strain_energy() - strain)},
                     {"stretching", stretching},
                     {"external_work", results_.external_work()}};
-  if (strain == 0)
+  if (strain == 0 && found.converged)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
   outputs_.warn(warnings_about(found, stored));
   if (!found.converged) throw plate::NumericalError("large deflections: " + found.stop_reason);

@@ -125,7 +125,8 @@ Forces Formulation::first_load() const {
 }
 
 Forces Formulation::mass(double rotary) const {
-  return plate::mass(sections(), cloud().areas, boundary().active, constraints(), rotary);
+  const bool whole = section().law == PlateLaw::membrane;
+  return plate::mass(sections(), cloud().areas, boundary().active, constraints(), rotary, whole);
 }
 
 Inertia Formulation::inertia(double rotary) const {

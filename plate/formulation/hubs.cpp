@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "geometry/cells/tessellation.hpp"
@@ -48,11 +49,20 @@ void require_disc(const Hub& hub, const Holder& holder, const std::vector<Point>
 }
 
 /// Ties what turns and moves as a rigid body in the plane to u and v of one point and v of another: theta_y = u,
-/// theta_x = -v.
+/// theta_x = -v. Both lie at the radius of gyration, left and right of the centre: their masses then turn as the disc.
 void tie_in_plane(Constraints& constraints, const Hub& hub, const std::vector<Point>& positions) {
   const auto x = [&](std::uint32_t k) { return positions[k].x(); };
-  const auto [first, last] = std::ranges::minmax_element(hub.points, {}, x);
-  const std::uint32_t left = *first, right = *last;
+  double square = 0;
+  for (const auto k : hub.points) square += (positions[k] - hub.centre).squaredNorm() / double(hub.points.size());
+  const auto nearest_to = [&](const Point& place) {
+    return *std::ranges::min_element(hub.points, {}, [&](auto k) { return (positions[k] - place).squaredNorm(); });
+  };
+  const Point gyration(std::sqrt(square), 0);
+  std::uint32_t left = nearest_to(hub.centre - gyration), right = nearest_to(hub.centre + gyration);
+  if (!(x(left) < x(right))) {  // of a few points
+    const auto [first, last] = std::ranges::minmax_element(hub.points, {}, x);
+    left = *first, right = *last;
+  }
   const double width = x(right) - x(left);
   for (const auto k : hub.points) {
     const Point from = positions[k] - positions[left];

@@ -42,17 +42,32 @@ Triplets products(const geometry::Tessellation& cells, const Weight& weight) {
   return entries;
 }
 
+/// What P^T M P has between two leaders of a point, both of one component, on each of the two.
+Forces between_leaders(const Forces& mass, const Constraints& constraints) {
+  Forces result = zero_forces(std::size_t(mass.cols()));
+  const auto& ties = constraints.ties();
+  for (std::size_t i = 0; i < ties.size(); ++i)
+    for (std::size_t j = i + 1; j < ties.size() && ties[j].follower == ties[i].follower; ++j) {
+      if (ties[i].leader.component != ties[j].leader.component) continue;
+      const double shared = at_dof(mass, ties[i].follower) * ties[i].factor * ties[j].factor;
+      at_dof(result, ties[i].leader) += shared, at_dof(result, ties[j].leader) += shared;
+    }
+  return result;
+}
+
 }  // namespace
 
 Forces mass(const PointSections& sections, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints, double rotary) {
+            const Constraints& constraints, double rotary, bool whole) {
   Forces result = zero_forces(areas.size());
   for (std::size_t k = 0; k < areas.size(); ++k) {
     const double translation = sections[k].mass, rotation = rotary * sections[k].rotary;
     if (active[k])
       result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
   }
+  Forces shared = whole ? between_leaders(result, constraints) : Forces();
   constraints.fold_diagonal(result);
+  if (whole) result += shared;
   return result;
 }
 

@@ -14,7 +14,29 @@
 
 namespace plate {
 
+std::optional<LinearStrain> linear_strain(const Problem& problem, const Load& load) {
+  constexpr double rounding = 1e-12;
+  constexpr int places = 9;  // along each side
+  const auto* heat = load.as<Temperature>();
+  const double alpha = problem.section.thermal_expansion;
+  if (!heat || problem.section.law != PlateLaw::membrane || !problem.stiffeners.empty()) return std::nullopt;
+  if (!heat->formula.given()) return LinearStrain{alpha * heat->value};
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const geometry::Point size = high - low;
+  const auto at = [&](double a, double b) { return heat->formula(low + geometry::Point(a * size.x(), b * size.y())); };
+  const double corner = at(0, 0), along = at(1, 0) - corner, up = at(0, 1) - corner;
+  const double largest = std::abs(corner) + std::abs(along) + std::abs(up);
+  for (int i = 0; i < places; ++i)
+    for (int j = 0; j < places; ++j) {
+      const double a = (i + 0.5) / places, b = (j + 0.5) / places;
+      if (!(std::abs(at(a, b) - corner - a * along - b * up) <= rounding * largest)) return std::nullopt;
+    }
+  const geometry::Point gradient = alpha * geometry::Point(along / size.x(), up / size.y());
+  return LinearStrain{alpha * corner - gradient.dot(low), gradient};
+}
+
 Heat heat_of(const Formulation& plate, const std::vector<double>& shares) {
+  const bool on_edges = plate.offers(Feature::graded_points);  // of bonds no linear field is exact there
   Heat result;
   for (std::size_t i = 0; i < plate.loads().size(); ++i) {
     const auto& load = plate.loads()[i];
@@ -22,7 +44,15 @@ Heat heat_of(const Formulation& plate, const std::vector<double>& shares) {
     if (result.none()) {
       result.curvature = Eigen::VectorXd::Zero(load.curvature.size());
       result.forces = zero_forces(load.forces.cols());
+      result.linear.emplace();
     }
+    const auto strain =
+        on_edges && result.linear ? linear_strain(plate.problem(), plate.problem().loads[i]) : std::nullopt;
+    if (strain)
+      result.linear->at_origin += shares[i] * strain->at_origin,
+          result.linear->gradient += shares[i] * strain->gradient;
+    else
+      result.linear.reset();
     result.curvature += shares[i] * load.curvature, result.forces += shares[i] * load.forces;
   }
   return result;
@@ -46,8 +76,39 @@ Eigen::Vector3d moments_held_flat(const Section& section) {
   return LocalSection(section).bending * Eigen::Vector3d(1, 1, 0);
 }
 
+State free_field(const std::vector<geometry::Point>& positions, const geometry::Point& place,
+                 const LinearStrain& strain) {
+  State result = zero_state(positions.size());
+  const double there = strain.at(place);
+  const auto& gradient = strain.gradient;
+  for (Eigen::Index k = 0; k < result.cols(); ++k) {
+    const geometry::Point x = positions[std::size_t(k)] - place;
+    const double across = (x.x() * x.x() - x.y() * x.y()) / 2, both = x.x() * x.y();
+    const double u = there * x.x() + gradient.x() * across + gradient.y() * both,
+                 v = there * x.y() - gradient.y() * across + gradient.x() * both;
+    result.col(k) = PointValues(0, -v, u);
+  }
+  return result;
+}
+
+State free_field(const std::vector<geometry::Point>& positions, const Problem& problem, const LinearStrain& strain) {
+  return free_field(positions, geometry::bounding_box(problem.outline).first, strain);
+}
+
+/// The excess where the strains of the heat are linear, and free_field() has no energy: of forces f that hold it
+/// f (free_field() / 2 - u).
+double stored_by_linear(const Formulation& plate, const Heat& heat, const State& state) {
+  const State free = free_field(plate.cloud().positions, plate.problem(), *heat.linear);
+  return ordered_sum<1>(plate, std::size_t(state.cols()), [&](std::size_t n) {
+    const auto k = Eigen::Index(n);
+    const bool counts = plate.boundary().owns(n);
+    return std::array<double, 1>{counts ? heat.forces.col(k).dot(free.col(k) / 2 - state.col(k)) : 0};
+  })[0];
+}
+
 double stored(const Formulation& plate, const Heat& heat, const State& state) {
   if (!heated(plate.problem())) return 0;
+  if (heat.linear && heat.linear->varies()) return stored_by_linear(plate, heat, state);
   const double each = moments_held_flat(plate.section()).head<2>().sum() / 2;
   const auto held_flat = [&](Eigen::Index k) {
     return plate.cloud().areas[std::size_t(k)] * heat.curvature[k] * heat.curvature[k];

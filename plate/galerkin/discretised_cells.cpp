@@ -12,6 +12,7 @@
 #include "geometry/shape/predicates.hpp"
 #include "plate/formulation/springs_and_stiffeners.hpp"
 #include "plate/formulation/support_constraints.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/galerkin/operator.hpp"
 #include "plate/galerkin/part_of_cells.hpp"
@@ -272,6 +273,8 @@ private:
                      free_curvature(load, problem_.section, layout.boundary.cloud.positions, points)};
     if (result.curvature.size() > 0)
       result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.map);
+    if (const auto strain = linear_strain(problem_, load); strain && strain->varies())
+      result.forces = forces_of_free_field(*strain, families);
     result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);
     if (part_ && load.as<Settlement>() && result.lift.cols() == 0)
       result.lift = zero_state(points);  // all have one, also those that do not see what moves
@@ -282,6 +285,15 @@ private:
       for (Eigen::Index k = 0; k < result.forces.cols(); ++k)
         result.forces.col(k) *= (*layout.sections)[std::size_t(k)].mass / problem_.section.mass();
     layout.loads.push_back(std::move(result));
+  }
+
+  /// The forces that hold the free field of a linear mean temperature.
+  Forces forces_of_free_field(const LinearStrain& strain, const GalerkinFamilies& families) const {
+    const auto block = part_ ? part_->column_block : std::vector<std::uint32_t>();
+    Forces forces;
+    GalerkinOperator(families, *layout_->sections, {}, block)
+        .internal_force(free_field(layout_->boundary.cloud.positions, problem_, strain), forces);
+    return -forces;
   }
 
   const Problem& problem_;

@@ -118,6 +118,12 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
     for (std::size_t i = 0; i < problem.supports.size(); ++i) {
       const auto& support = problem.supports[i];
       if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
+      if (traction && (traction->tensor || traction->shear == 0) && support.kind == SupportKind::hub &&
+          support.held_in_plane() == InPlane::free)
+        found.push_back({Subject::load_edges, number,
+                         fmt::format("edge \"{}\" is the rim of a hub, which this traction pulls to all sides alike: "
+                                     "remove it; shear turns the hub, a pull is one of other edges",
+                                     edge)});
       const auto held = traction ? held_in_plane(support.held_in_plane()) : held_by(support.kind);
       if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
         found.push_back(
@@ -226,7 +232,25 @@ bool layers_in_vain(const Problem& problem, const std::vector<Support>& resolved
          std::ranges::none_of(resolved, [](const Support& support) { return is_layer(support.kind); });
 }
 
+/// Refuses edges with the names that reactions of pins, lines, parts and hubs have: pin0, line0, part0, hub0, ...
+void check_names_of_reactions(const Problem& problem, std::vector<Refusal>& found) {
+  std::map<std::string, std::size_t> counts;
+  for (const auto& support : problem.supports) {
+    counts["pin"] += support.points.size();
+    counts["line"] += !support.along.empty();
+    if (support.patch) ++counts[support.kind == SupportKind::hub ? "hub" : "part"];
+  }
+  const auto edges = geometry::edge_names(problem.outline);
+  for (const auto& [word, count] : counts)
+    for (std::size_t i = 0; i < count; ++i)
+      if (const auto name = fmt::format("{}{}", word, i); std::ranges::find(edges, name) != edges.end())
+        found.push_back(
+            {Subject::geometry, 0,
+             fmt::format("edge \"{}\" has the name of the reaction of a {}: give it another one", name, word)});
+}
+
 void check_supports(const Problem& problem, std::vector<Refusal>& found) {
+  check_names_of_reactions(problem, found);
   const auto existing = geometry::edge_names(problem.outline);
   const auto supports = resolved_supports(problem);
   std::map<std::string, std::size_t> holder;

@@ -464,6 +464,9 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   result.converged = path.factor >= 1;
   result.stop_reason = result.converged ? fmt::format("residual below tolerance in {} load steps", result.steps.size())
                                         : fmt::format("no equilibrium found beyond {:.4g} of the loads", path.factor);
+  if (result.steps.empty())
+    result.stop_reason += fmt::format(", which deflect the plate by {:.2g} thicknesses in linear theory: reduce them",
+                                      linear / plate_.section().thickness);
   auto& now = path.now;
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;

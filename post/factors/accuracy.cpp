@@ -31,24 +31,26 @@ const Srif* find(const std::vector<Srif>& srifs, std::size_t tip, SrifMethod met
 }
 
 /// Pairs at one time: of the last discretisations in a row that have both integrals, with a fit. Where no energy is
-/// released the fit tells the factors.
+/// released the fit tells the factors. No fit is needed in the plane, which has no shear layer, nor found there under
+/// heat that varies.
 std::vector<Pair> pairs(const std::vector<AccuracyStep>& path, RowsOfStep rows, std::size_t row, std::size_t tip,
                         double h) {
   std::vector<Pair> result;
+  const bool fit_needed = rows != &AccuracyStep::rows_in_plane;
   for (const auto& one : path) {
     const auto& srifs = (one.*rows).at(row);
     const auto *domain = find(srifs, tip, SrifMethod::domain_integral),
                *extension = find(srifs, tip, SrifMethod::virtual_crack_extension),
                *fit = find(srifs, tip, SrifMethod::series_fit);
-    if (!domain || !extension || !fit) {
+    if (!domain || !extension || (!fit && fit_needed)) {
       result.clear();
       continue;
     }
     const auto factors = [&](const Srif& integral) {
-      const Srif& srif = integral.G && *integral.G <= 0 ? *fit : integral;
+      const Srif& srif = fit && integral.G && *integral.G <= 0 ? *fit : integral;
       return Factors(srif.K1, srif.K2, h * srif.K3);
     };
-    const double tied = fit->fits.empty() ? 0 : h * std::abs(fit->fits.front().K3 - fit->K3);
+    const double tied = !fit || fit->fits.empty() ? 0 : h * std::abs(fit->fits.front().K3 - fit->K3);
     result.push_back({one.size, one.faces, factors(*domain), factors(*extension), tied});
   }
   return result;

@@ -236,7 +236,11 @@ std::vector<Srif> of_heated(const plate::Formulation& plate, const TipMethods& m
                             bool all_rings, const Eigen::VectorXd* on_faces, const plate::Stretch* stretch) {
   const bool uniform = heat.curvature.minCoeff() == heat.curvature.maxCoeff();
   const double there = uniform ? heat.curvature[0] : curvature_at(tip.position, plate, heat);
-  const auto cold = plate::cold(state, plate.cloud().positions, tip.position, there);
+  const auto& positions = plate.cloud().positions;
+  if (heat.linear && heat.linear->varies() && !stretch)
+    return methods(state - plate::free_field(positions, tip.position, *heat.linear), force, all_rings,
+                   {nullptr, on_faces});
+  const auto cold = plate::cold(state, positions, tip.position, there);
   const Eigen::VectorXd varying = heat.curvature.array() - there;
   Eigen::Matrix3Xd free = -Eigen::Vector3d(1, 1, 0) * varying.transpose();
   if (stretch) free += stretch->strains;

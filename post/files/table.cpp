@@ -38,7 +38,7 @@ std::string quoted(const std::string& word) {
 }
 
 std::string text_of(const Cell& cell) {
-  if (const auto* value = std::get_if<double>(&cell)) return fmt::format("{}", *value);
+  if (const auto* value = std::get_if<double>(&cell)) return fmt::format("{}", *value + 0.0);  // no -0
   if (const auto* word = std::get_if<std::string>(&cell)) return quoted(*word);
   return {};
 }

@@ -208,6 +208,20 @@ void conclude(Summary& summary, Found found) {
   }
 }
 
+std::vector<std::string> unbalanced_hubs(const std::optional<ReactionSummary>& reactions,
+                                         const plate::Problem& problem) {
+  constexpr double told = 5e-4, wanted = 1e-5;
+  if (!reactions || reactions->largest_residual <= told) return {};
+  const auto soft = std::ranges::min_element(
+      problem.supports, {}, [](const plate::Support& support) { return support.k_w.value_or(INFINITY); });
+  if (soft == problem.supports.end() || !soft->k_w) return {};
+  return {
+      fmt::format("reactions balance the loads to {:.1g} % only: springs of hubs this soft are lost in rounding; set "
+                  "`support {}`.k_w = {:.1g} or more",
+                  100 * reactions->largest_residual, soft - problem.supports.begin(),
+                  *soft->k_w * reactions->largest_residual / wanted)};
+}
+
 std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& reactions,
                                           const plate::Problem& problem, double largest) {
   constexpr double told = 0.005, close = 1e-3;  // of the largest deflection; of the plate's size

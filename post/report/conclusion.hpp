@@ -91,6 +91,11 @@ struct Found {
 /// units only, cases without units may be scaled.
 void conclude(Summary& summary, Found found);
 
+/// A warning of reactions that are not in balance with the loads where springs of hubs are soft: the rounding of the
+/// stiffness resists rigid motions as springs of the size 1e-14 of its entries do.
+std::vector<std::string> unbalanced_hubs(const std::optional<ReactionSummary>& reactions,
+                                         const plate::Problem& problem);
+
 /// A warning of the point support whose reaction makes deflections grow most without limit as points get closer: by
 /// R / (alpha S) log 2 with every halving of the spacing, alpha the angle of the plate about it. None below a share of
 /// the `largest` deflection.

@@ -31,6 +31,7 @@ std::string tables(const fs::path& folder) {
   add("response", whole);
   add("reactions", [](const Table& table) { return columns_of(table, {"time", "support", "force"}); });
   add("cracks", whole);
+  add("contact", whole);
   add("srif", [](const Table& table) {
     return columns_of(recommended(table), {"time", "tip", "x", "y", "K1", "K2", "K3", "estimated_error_K1",
                                            "estimated_error_K2", "estimated_error_K3"});

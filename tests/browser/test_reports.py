@@ -25,6 +25,7 @@ CASES = {  # name: case, settings, what its page must have
     "growth": ("growth/double_torsion.toml", ["--set", "discretization.spacing=0.05", "--set", "growth.max_advances=4"], ["plot:Load against length", "picture:w"]),
     "breaking": ("growth/pressure_pulse.toml", [*COARSE, "--set", "load[0].value=2.7", "--set", "output.every=0.1"], ["plot:Length of the cracks", "picture:damage"]),
     "cases": ("static/slab_on_soil.toml", ["--set", "discretization.spacing=0.25"], ["table:envelope", "table:load_cases", "table:reactions_of_cases", "table:extremes_of_cases"]),
+    "contact": ("static/crack_faces_touch.toml", [*COARSE], ["plot:Opening of crack 0", "plot:Contact pressure of crack 0"]),
     "modes": ("dynamic/frequencies_hole_one_crack.toml", ["--set", "discretization.spacing=0.1"], ["table:frequencies", "picture:w"]),
 }
 

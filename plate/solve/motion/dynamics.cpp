@@ -62,6 +62,8 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
     return std::array<double, 4>{one.mass[c] * v * v / 2, one.mass[c] * (v * v - change * change) / 2,
                                  one.load[c] * now.state.data()[i], -double(force.data()[i]) * now.state.data()[i] / 2};
   });
+  // at the start the drag is that of the velocity there, of which the first half step has half a step more
+  const double whole = now.step == 0 ? 1 + contact_and_damping.damping().mass * dt / 2 : 1;
   // `first` and `share` of the acceleration
   const auto combined = [&masses, &constraints, acceleration, points](State first, double share) {
     masses.for_each(points, [&](const PointClass& one, std::size_t c, Eigen::Index begin, std::uint32_t length) {
@@ -74,7 +76,7 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
                  now.state,  [combined, &velocity = now.velocity, half] { return combined(velocity, half); },
                  kinetic,    work,
                  strain,     product,
-                 -potential, [combined, points] { return combined(zero_state(points), 1); },
+                 -potential, [combined, points, whole] { return combined(zero_state(points), whole); },
                  {}};
   if (const auto& contact = contact_and_damping.contact()) {
     result.kinetic_energy += contact->kinetic(half), result.strain_energy += contact->spring();

@@ -83,6 +83,38 @@ function reaction_plot() {
   return plot({ title: "Reactions of the supports", x: steps, y: { label: "force", quantity: "force" }, lines: lines.slice(0, 8) });
 }
 
+/** How far a point is from a crack, and how far along the crack. */
+function place_on(crack, x, y) {
+  let best = { away: Infinity, along: 0 }, before = 0;
+  for (let i = 0; i + 1 < crack.length; i++) {
+    const [[x0, y0], [x1, y1]] = [crack[i], crack[i + 1]], length = Math.hypot(x1 - x0, y1 - y0);
+    const share = Math.min(1, Math.max(0, ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / length ** 2));
+    const away = Math.hypot(x - x0 - share * (x1 - x0), y - y0 - share * (y1 - y0));
+    if (away < best.away) best = { away, along: before + share * length };
+    before += length;
+  }
+  return best;
+}
+
+/** Openings and pressures along each crack whose faces may touch, of each load case where there are several. */
+function contact_plots() {
+  const contact = tables.contact, { cracks } = data.plate, most = 12;
+  if (!contact?.x || cracks.length === 0) return [];
+  const places = contact.x.map((x, i) => {
+    const found = cracks.map(crack => place_on(crack, x, contact.y[i]));
+    const crack = found.reduce((best, one, n) => (one.away < found[best].away ? n : best), 0);
+    return { crack, along: found[crack].along, name: `crack ${crack}${contact.case ? `, ${contact.case[i]}` : ""}` };
+  });
+  return [...grouped(places, place => place.name)].flatMap(([name, rows]) => {
+    const order = [...rows].sort((a, b) => places[a].along - places[b].along), x = order.map(i => places[i].along);
+    const of = (title, what, quantity) => plot({
+      title: `${title} of ${name}`, x: { label: "along the crack", quantity: "length" }, y: { label: what, quantity },
+      lines: [["top", "z = h/2"], ["bottom", "z = −h/2"]].map(([side, label]) => ({ label, x, y: order.map(i => contact[`${what}_${side}`]?.[i] ?? 0) })),
+    });
+    return [of("Opening", "opening", "length"), of("Contact pressure", "pressure", "shear")];
+  }).slice(0, most);
+}
+
 function curves() {
   if (data.summary.load_cases) return []; // numbers of cases are no time
   const h = data.plate.section.thickness, most = Math.max(largest(tables.srif?.K1), largest(tables.srif?.K2), h * largest(tables.srif?.K3));

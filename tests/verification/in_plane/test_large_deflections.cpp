@@ -266,3 +266,13 @@ TEST_CASE("large deflections: factors of a cracked square are within their estim
       }
     }
 }
+
+TEST_CASE("large deflections: loads beyond all load steps are told, with their deflection by linear theory",
+          "[in_plane]") {
+  const auto plates = discretise(pressed(1e9, 0.04, SupportKind::simply_supported, InPlane::fixed, 0.2));
+  const auto found = StretchedPlate(*plates.plate, *plates.membrane)
+                         .equilibrium({plates.plate->total_load(), plates.membrane->total_load()}, {1e-9, {}});
+  CHECK_FALSE(found.converged);
+  CHECK_THAT(found.stop_reason,
+             Catch::Contains("beyond 0 of the loads") && Catch::Contains("thicknesses in linear theory: reduce them"));
+}

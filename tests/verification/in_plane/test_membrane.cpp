@@ -239,6 +239,21 @@ TEST_CASE("in the plane: reactions carry the loads, and bending knows nothing of
   CHECK(static_solution(*plate::discretise(c).plate, c.analysis, {1e-10, 1000, {}}).solution.state == bent);
 }
 
+TEST_CASE("in the plane: a pin whose force changes the factors of a tip near it is told", "[in_plane]") {
+  const auto said = [](const Point& pin) {
+    auto c = pulled(1, 1, 0, 0.05, {0, 1, 0});
+    c.cracks = {{{-0.25, 0}, {0.25, 0}}};
+    c.supports[0].edges = {"a"}, c.supports[0].in_plane = InPlane::fixed;
+    c.loads = {traction({"c"}, {0, 1, 0})};
+    c.supports.push_back(vp::held(SupportKind::in_plane, {}));
+    c.supports.back().points = {pin};
+    return std::ranges::count_if(solved(c).warnings,
+                                 [](const auto& one) { return one.find("pin0 pulls") != one.npos; });
+  };
+  CHECK(said({0.3, 0}) == 1);
+  CHECK(said({0, -0.45}) == 0);
+}
+
 TEST_CASE("bonds in the plane: uniform stress has its energy but for a layer beside the edges", "[in_plane]") {
   for (const auto& [N, most] : std::vector<std::pair<std::array<double, 3>, double>>{
            {{1, 0, 0}, 0.012}, {{1, 1, 0}, 0.010}, {{0, 0, 1}, 0.005}}) {  // measured: 0.88, 0.75, 0.31 %

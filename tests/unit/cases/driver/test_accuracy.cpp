@@ -60,6 +60,29 @@ TEST_CASE("accuracy: the program finds the discretisation, and its factors are a
              Catch::Contains("srif.accuracy finds the lengths of the discretisation: spacing, tip_spacing"));
 }
 
+TEST_CASE("accuracy: N1 and N2 are refined under a mean temperature that varies, which the fit does not know") {
+  const auto at = [&](const std::string& accuracy) {
+    const small_run::TemporaryFolder folder;
+    const auto summary = cases::run(
+        case_text::read(unmeshed(), {"srif.accuracy=" + accuracy, "section.thermal_expansion=1e-3",
+                                     "support[0].in_plane='fixed'", "geometry.cracks=[[[-0.3, -0.1], [0.3, 0.2]]]",
+                                     "load=[{ kind='temperature', mean='-40 + 30 * y - 40 * x * x' }]"}),
+        {folder.path(), true});
+    CHECK(summary.accuracy->ended_by.empty());
+    CHECK(summary.points < 10000);  // never known before: 174,703 points
+    return summary.srif;
+  };
+  const auto coarse = at("0.02"), fine = at("0.005");
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    if (coarse[i].method != post::SrifMethod::refinement) continue;
+    for (std::size_t n = 0; n < 2; ++n) {
+      const auto &one = *coarse[i].membrane, &other = *fine[i].membrane;
+      CHECK(std::abs(one.N[n] - other.N[n]) < *one.errors[n]);
+      CHECK(*one.errors[n] < 0.02 * std::abs(one.N[0]));
+    }
+  }
+}
+
 TEST_CASE("accuracy: a force next to a tip needs no more points than a pressure, and pulls at both faces alike") {
   constexpr double exact = 0.09589;  // with 175,000 points about the tips and the force
   std::string text = unmeshed();

@@ -110,6 +110,29 @@ TEST_CASE("faults of edges: a load on an edge that holds all it acts on would go
   CHECK(found(problem) == Found{{Subject::load_edges, 0}});
 }
 
+TEST_CASE("faults of edges: a traction all round a free hub pulls it nowhere, unless it turns it") {
+  auto problem = square();
+  problem.outline.holes = {geometry::Circle{{0.5, 0.5}, 0.1, "hole0"}};
+  problem.supports = {{plate::SupportKind::hub, {"hole0"}, {}}};
+  for (const double shear : {0.0, 1.0}) {
+    problem.loads = {plate::Load{plate::EdgeTraction{.edges = {"hole0"}, .value = 1, .shear = shear}}};
+    CHECK(found(problem) == (shear == 0 ? Found{{Subject::load_edges, 0}} : Found{}));
+  }
+  problem.loads = {plate::Load{plate::EdgeTraction{.edges = {"hole0"}, .tensor = {{1, 2, 3}}}}};
+  CHECK(found(problem) == Found{{Subject::load_edges, 0}});
+}
+
+TEST_CASE("faults of edges: one has no name that the reaction of a pin, line, part or hub has") {
+  auto problem = square();
+  problem.outline.outer.edge_names = {"a", "b", "c", "hub0"};
+  plate::Support hub{plate::SupportKind::hub, {}, {}};
+  hub.patch = geometry::Circle{{0.5, 0.5}, 0.1, ""};
+  problem.supports = {hub};
+  CHECK(found(problem) == Found{{Subject::geometry, 0}});
+  problem.outline.outer.edge_names.back() = "hub1";
+  CHECK(found(problem).empty());
+}
+
 TEST_CASE("faults of edges: a force on a crack has no face") {
   auto problem = square();
   problem.cracks = {{{0.2, 0.2}, {0.6, 0.6}}};

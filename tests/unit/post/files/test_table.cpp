@@ -39,6 +39,10 @@ TEST_CASE("CSV is written with the shortest numbers that read back") {
   CHECK(text_of(folder / "t.csv") == "a,b,c\n0.1,,word\n3,1e-20,\n");
 }
 
+TEST_CASE("CSV has no negative zero") {
+  CHECK(post::csv_text({{"a", "b"}, {{-0.0, -1.0}}}) == "a,b\n0,-1\n");
+}
+
 TEST_CASE("comments, blank lines, spaces and Windows line ends are read") {
   const Table table = read("# made by hand\r\nt, w\r\n# zero\r\n0, +1\r\n\r\n1,-2");
   CHECK(table.columns == std::vector<std::string>{"t", "w"});

@@ -93,3 +93,17 @@ TEST_CASE("conclusion: point supports that sink in are named, by the reaction an
   CHECK(said({0.5, 0.5}, force, "spring0").empty());
   CHECK(post::sinking_supports({}, problem, 1).empty());
 }
+
+TEST_CASE("conclusion: reactions that rounding leaves beside soft hubs are told, with a stiffness that is enough") {
+  plate::Problem problem;
+  problem.supports = {{plate::SupportKind::clamped, {"left"}, {}}, {plate::SupportKind::hub, {"hole0"}, {}}};
+  post::ReactionSummary reactions;
+  reactions.largest_residual = 4e-3;
+  CHECK(post::unbalanced_hubs(reactions, problem).empty());
+  problem.supports[1].k_w = 1e-3;
+  const auto said = post::unbalanced_hubs(reactions, problem);
+  REQUIRE(said.size() == 1);
+  CHECK_THAT(said[0], Catch::Contains("balance the loads to 0.4 % only") && Catch::Contains("`support 1`.k_w = 0.4"));
+  reactions.largest_residual = 1e-4;
+  CHECK(post::unbalanced_hubs(reactions, problem).empty());
+}
