@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/solve/analysis.hpp"
 #include "plate/solve/crack_contact.hpp"
 #include "plate/solve/matrices/factor.hpp"
 #include "plate/solve/stretching.hpp"
@@ -30,10 +31,6 @@ struct LoadStep {
   double deflection = 0;           // w of the point that deflects most in the first row of the path [length]
   std::size_t unstable_modes = 0;  // negative eigenvalues of the stiffness
 };
-
-/// How loads grow with large deflections: by their factor, or along the path of equilibria, on which the factor is an
-/// unknown, through limit points.
-enum class LoadControl : bool { load, arc_length };
 
 /// Limits of the search for an equilibrium with large deflections.
 struct LargeDeflectionOptions {
