@@ -135,7 +135,7 @@ double displacement_of(const PlateLoads& loads, const State& bending, const Stat
 }
 
 /// The solution of a factor for folded forces.
-State solution(const auto& factor, const Unknowns& unknowns, const Forces& force) {
+State solution(const Factor& factor, const Unknowns& unknowns, const Forces& force) {
   const Eigen::MatrixXd found = factor.solve(gathered(unknowns, force));
   State result = zero_like(force);
   for (Eigen::Index u = 0; u < found.rows(); ++u) at_dof(result, unknowns.dof[std::size_t(u)]) = found(u, 0);
@@ -143,8 +143,7 @@ State solution(const auto& factor, const Unknowns& unknowns, const Forces& force
 }
 
 /// Displacements of a plate and its plane by forces on both.
-State displacements(const IndefiniteFactor& factor, const Unknowns& unknowns, const Constraints& constraints,
-                    Forces forces) {
+State displacements(const Factor& factor, const Unknowns& unknowns, const Constraints& constraints, Forces forces) {
   constraints.fold(forces);
   State result = solution(factor, unknowns, forces);
   constraints.impose(result);
@@ -433,7 +432,6 @@ struct StretchedPlate::Path {
   std::size_t bytes = 0;        // of the stiffness
   bool stable = true;
   // by arc length
-  std::vector<std::size_t> springs = {};  // of IndefiniteFactor
   std::size_t unstable_modes = 0;
   double length = 0;        // so far
   Eigen::Index point = -1;  // whose deflection is told; -1: nothing has deflected
@@ -522,7 +520,7 @@ struct StretchedPlate::Arc {
 /// The direction of the path from an equilibrium on, the way that another one went.
 StretchedPlate::Arc StretchedPlate::look_along(Path& path, const Arc& before) const {
   const double h = plate_.section().thickness;
-  const IndefiniteFactor inverse(stiffness(path.now, *path.loads, path.factor), path.springs);
+  const auto inverse = Factor::of_any_sign(stiffness(path.now, *path.loads, path.factor));
   const auto loads = by_factor(*path.loads, path.now.bending);
   const State both = displacements(inverse, unknowns_, of_both_, stacked(loads.across, loads.in_plane));
   Arc result{of_plate(both)};
@@ -550,14 +548,14 @@ bool StretchedPlate::correct(Path& path, const Arc& normal, const LargeDeflectio
     const auto lower = stiffness(path.now, *path.loads, path.factor);
     State change, by_load;
     try {
-      const IndefiniteFactor inverse(lower, path.springs);
+      const auto inverse = Factor::of_any_sign(lower);
       const auto solve = [&](const Forces& across, const Forces& in_plane) {
         return of_plate(displacements(inverse, unknowns_, of_both_, stacked(across, in_plane)));
       };
       const auto loads = by_factor(*path.loads, path.now.bending);
       change = solve(path.now.left, zero_like(path.now.left)), by_load = solve(loads.across, loads.in_plane);
-    } catch (const NegativePivot&) {
-      return false;  // too far from any equilibrium: a shorter step stays nearer
+    } catch (const NumericalError&) {
+      return false;  // singular: a shorter step ends elsewhere
     }
     const double more = -normal.dot(change, 0, h) / normal.dot(by_load, 1, h);
     if (!std::isfinite(more)) return false;

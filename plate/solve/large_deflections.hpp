@@ -122,7 +122,7 @@ public:
 
   /// Equilibrium under loads that grow together in steps that find their own length. A path by arc length ends where
   /// the load factor comes to 1 for the first time; no faces may touch then.
-  /// @throws NumericalError  where a number is not finite, or a path by arc length has more unstable modes than a few
+  /// @throws NumericalError  where a number is not finite, or the stiffness is singular at a step of a path
   LargeDeflections equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const;
 
 private:

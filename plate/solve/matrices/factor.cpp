@@ -3,7 +3,6 @@
 #include <omp.h>
 #include <suitesparse/cholmod.h>
 #include <suitesparse/umfpack.h>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <new>
 #include <stdexcept>
@@ -69,9 +68,10 @@ struct Factor::Handle {
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work = nullptr, *more_work = nullptr;
 
-  Handle() {
-    common->supernodal = CHOLMOD_SUPERNODAL;
-    common->quick_return_if_not_posdef = true;
+  explicit Handle(bool positive) {
+    common->supernodal = positive ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+    common->quick_return_if_not_posdef = positive;
+    common->final_ll = false;
   }
   ~Handle() {
     for (auto** dense : {&solution, &work, &more_work}) cholmod_free_dense(dense, &common);
@@ -79,7 +79,18 @@ struct Factor::Handle {
   }
 };
 
-Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift) : handle_(std::make_unique<Handle>()) {
+Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift) : Factor(lower, shift, true) {}
+
+Factor Factor::of_any_sign(const Eigen::SparseMatrix<double>& lower) {
+  try {
+    return Factor(lower);
+  } catch (const NumericalError&) {
+    return {lower, 0, false};
+  }
+}
+
+Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool positive)
+    : handle_(std::make_unique<Handle>(positive)) {
   auto& h = *handle_;
   const OneThread one_thread;
   Eigen::SparseMatrix<double> shifted;
@@ -95,7 +106,7 @@ Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift) : handle_
   if (!h.factor || h.common->status == CHOLMOD_OUT_OF_MEMORY) throw NumericalError("factorisation: not enough memory");
   cholmod_factorize(&matrix, h.factor, &h.common);
   if (h.common->status == CHOLMOD_OUT_OF_MEMORY) throw NumericalError("factorisation: not enough memory");
-  if (h.common->status != CHOLMOD_OK) throw NegativePivot(h.factor->minor);
+  if (h.common->status != CHOLMOD_OK) throw NumericalError("factorisation: the stiffness is not positive");
 }
 
 Factor::~Factor() = default;
@@ -113,53 +124,16 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
   return Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(h.solution->x), right.rows(), right.cols());
 }
 
+std::size_t Factor::negative() const {
+  const auto& factor = *handle_->factor;
+  if (factor.is_super || factor.is_ll) return 0;
+  const auto *first = static_cast<const int*>(factor.p), *end = first + factor.n;
+  const auto* values = static_cast<const double*>(factor.x);
+  return std::size_t(std::count_if(first, end, [&](int at) { return values[at] < 0; }));
+}
+
 std::size_t Factor::bytes() const {
   return handle_->factor->xsize * sizeof(double) + handle_->factor->ssize * sizeof(int);
-}
-
-IndefiniteFactor::IndefiniteFactor(Eigen::SparseMatrix<double> lower, std::vector<std::size_t>& springs) {
-  constexpr std::size_t most = 20;
-  constexpr double stiffer = 10;  // than before, where a spring is not enough
-  const auto pivot = [&](std::size_t u) -> double& { return lower.valuePtr()[lower.outerIndexPtr()[u]]; };
-  std::vector<double> stiffness;
-  const auto add = [&](std::size_t u) {
-    const auto at = std::size_t(std::ranges::find(springs_, u) - springs_.begin());
-    if (at == springs_.size()) springs_.push_back(u), stiffness.push_back(0);
-    const double more = stiffness[at] > 0 ? stiffer * stiffness[at] : std::abs(pivot(u));
-    stiffness[at] += more, pivot(u) += more;
-  };
-  std::ranges::for_each(springs, add);
-  for (std::size_t tried = 0; !factor_; ++tried) try {
-      factor_ = std::make_unique<Factor>(lower);
-    } catch (const NegativePivot& failed) {
-      if (tried == most) throw;
-      add(failed.unknown);
-    }
-  const auto n = Eigen::Index(springs_.size());
-  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(lower.rows(), n);
-  for (Eigen::Index i = 0; i < n; ++i) unit(Eigen::Index(springs_[std::size_t(i)]), i) = 1;
-  by_springs_ = n > 0 ? factor_->solve(unit) : unit;
-  Eigen::MatrixXd left(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    left.row(i) = -by_springs_.row(Eigen::Index(springs_[std::size_t(i)]));
-    left(i, i) += 1 / stiffness[std::size_t(i)];
-  }
-  if (n > 0) {
-    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(left).eigenvalues();
-    negative_ = std::size_t((values.array() < 0).count());
-    inverse_ = left.inverse();
-    if (!inverse_.allFinite()) throw NumericalError("factorisation: the stiffness is singular");
-  }
-  springs = negative_ > 0 ? springs_ : std::vector<std::size_t>();
-}
-
-Eigen::MatrixXd IndefiniteFactor::solve(const Eigen::MatrixXd& right) const {
-  Eigen::MatrixXd result = factor_->solve(right);
-  if (springs_.empty()) return result;
-  Eigen::MatrixXd at_springs(Eigen::Index(springs_.size()), right.cols());
-  for (std::size_t i = 0; i < springs_.size(); ++i)
-    at_springs.row(Eigen::Index(i)) = result.row(Eigen::Index(springs_[i]));
-  return result + by_springs_ * (inverse_ * at_springs);
 }
 
 namespace {
