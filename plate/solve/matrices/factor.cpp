@@ -133,7 +133,9 @@ std::size_t Factor::negative() const {
 }
 
 std::size_t Factor::bytes() const {
-  return handle_->factor->xsize * sizeof(double) + handle_->factor->ssize * sizeof(int);
+  const auto& factor = *handle_->factor;
+  if (!factor.is_super) return factor.nzmax * (sizeof(double) + sizeof(int));
+  return factor.xsize * sizeof(double) + factor.ssize * sizeof(int);
 }
 
 namespace {
