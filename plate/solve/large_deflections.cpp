@@ -460,6 +460,14 @@ double StretchedPlate::work_between(const Path& before, const Path& after) const
   return moved > 0 && hermite > most ? std::max(least, most - moved * moved / (2 * after.along)) : hermite;
 }
 
+/// Work of the constant loads from one equilibrium to the next.
+double StretchedPlate::work_of_constant(const Path& before, const Path& after) const {
+  const auto* loads = after.loads->constant;
+  if (!loads) return 0;
+  return displacement_of(*loads, after.now.bending, after.now.membrane) -
+         displacement_of(*loads, before.now.bending, before.now.membrane);
+}
+
 /// Finds the next equilibrium; false where there is none within the least step.
 bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const {
   constexpr double least = 1e-4, usual = 5;  // step of the factor; iterations
@@ -480,7 +488,7 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     path.now = std::move(next), path.factor = step.factor;
     look_ahead(path);
     step.stable = path.stable;
-    path.work += work_between(before, path);
+    path.work += work_between(before, path) + work_of_constant(before, path);
     path.step = length * std::clamp(usual / double(step.iterations + 1), 0.5, 3.0);
     result.steps.push_back(step);
     return true;
@@ -571,10 +579,9 @@ double StretchedPlate::work_along(const Path& before, const Path& after, const A
   const auto of = [](const PlateLoads& some, const Path& path) {
     return displacement_of(some, path.now.bending, path.now.membrane);
   };
-  const double grown =
-      integral({before.factor, after.factor}, {first.factor, last.factor}, {of(loads, before), of(loads, after)},
-               {first.moved, last.moved}, after.length - before.length);
-  return loads.constant ? grown + of(*loads.constant, after) - of(*loads.constant, before) : grown;
+  return work_of_constant(before, after) + integral({before.factor, after.factor}, {first.factor, last.factor},
+                                                    {of(loads, before), of(loads, after)}, {first.moved, last.moved},
+                                                    after.length - before.length);
 }
 
 /// The extreme load factor between two equilibria of a path, cubic in its length; none where the factor only grows or

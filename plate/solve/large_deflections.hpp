@@ -146,6 +146,7 @@ private:
   double residual(const Now& now, const PlateLoads& loads, double factor) const;
   Arc look_along(Path& path, const Arc& before) const;
   bool correct(Path& path, const Arc& along, const LargeDeflectionOptions& options, LoadStep& step) const;
+  double work_of_constant(const Path& before, const Path& after) const;
   double work_along(const Path& before, const Path& after, const Arc& first, const Arc& last) const;
   std::optional<double> limit_between(const Path& before, const Path& after, const Arc& first, const Arc& last) const;
   void add_step(Path& path, LoadStep& step, LargeDeflections& result) const;
