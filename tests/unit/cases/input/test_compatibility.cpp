@@ -64,13 +64,6 @@ std::vector<Sample> samples() {
       {large_deflections, {{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}}},
       {large_deflections_in_motion,
        motion_with({{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}})},
-      {arc_length,
-       {{"analysis.nonlinear", "true"},
-        {"analysis.control", "arc_length"},
-        {"discretization.formulation", "galerkin"}}},
-      {constant_load,
-       {{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}},
-       "{ kind = 'pressure', value = 1, constant = true }"},
       {touching_faces, {{"cracks.contact", "true"}, {"discretization.formulation", "galerkin"}}},
       {buckling, {{"analysis.kind", "buckling"}, {"discretization.formulation", "galerkin"}}, traction},
       {unilateral_foundation, {{"foundation", "[{ modulus = 1, lifts_off = true }]"}}},
@@ -106,7 +99,10 @@ std::vector<Sample> samples_in_plane() {
                           {"section.density", "1"},
                           {"discretization.formulation", "galerkin"}};
   const Settings grows{{"growth.fracture_energy", "1"}, {"discretization.formulation", "galerkin"}};
-  return {{motion_in_plane, moving, traction},
+  const Settings bends{{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}};
+  return {{arc_length, joined(bends, {{"analysis.control", "arc_length"}})},
+          {constant_load, bends, "{ kind = 'pressure', value = 1, constant = true }"},
+          {motion_in_plane, moving, traction},
           {stressed_frequencies, vibrates, traction},
           {growth_in_plane, grows, traction}};
 }
