@@ -91,6 +91,9 @@ const Words<plate::Preconditioning> preconditioners{{{"auto", plate::Preconditio
 const Words<Analysis::Precision> precisions{
     {{"double", Analysis::Precision::double_}, {"mixed", Analysis::Precision::mixed}}};
 
+const Words<plate::LoadControl> controls{
+    {{"load", plate::LoadControl::load}, {"arc_length", plate::LoadControl::arc_length}}};
+
 const Words<Analysis::Start> starts{
     {{"undeformed", Analysis::Start::undeformed}, {"equilibrium", Analysis::Start::equilibrium}}};
 
@@ -189,6 +192,21 @@ Field<Analysis> unless(Field<Analysis> field, Analysis::Method method) {
   return field;
 }
 
+Field<Analysis> control() {
+  return choice<Analysis, plate::LoadControl>("control", &Analysis::control, controls,
+                                              "what a step of the loads holds: their factor, or the length of the "
+                                              "path, which goes through limit points")
+      .with({"nonlinear", "nonlinear = true", [](const Analysis& analysis) { return analysis.nonlinear; }})
+      .in({Analysis::Kind::static_});
+}
+
+Field<Analysis> max_steps() {
+  return number<Analysis>("max_steps", "-", &Analysis::max_steps, {1, 100000}, "limit of the steps")
+      .with({"control", "control = arc_length",
+             [](const Analysis& analysis) { return analysis.control == plate::LoadControl::arc_length; }})
+      .in({Analysis::Kind::static_});
+}
+
 }  // namespace
 
 Fields<Analysis> analysis_fields() {
@@ -226,6 +244,8 @@ Fields<Analysis> analysis_fields() {
           .in({A::Kind::frequencies, A::Kind::buckling}),
       boolean<A>("nonlinear", &A::nonlinear, "large deflections: the middle plane stretches with them (von Karman)")
           .in({A::Kind::static_, A::Kind::dynamic}),
+      control(),
+      max_steps(),
       number<A>("duration", "time", &A::duration, positive, "simulated time").required().in_dynamics(),
       choice<A, A::Start>("start", &A::start, starts,
                           "the plate at time 0: without deformation, or in equilibrium with the loads of that time")

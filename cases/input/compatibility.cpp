@@ -30,6 +30,8 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {growth_in_plane, "`[growth]` under loads in the plane"},
     {large_deflections, "`analysis.nonlinear`"},
     {large_deflections_in_motion, "`analysis.nonlinear` of a motion"},
+    {arc_length, "`analysis.control = \"arc_length\"`"},
+    {constant_load, "`load.constant`"},
     {touching_faces, "`cracks.contact`"},
     {buckling, "`analysis.kind = \"buckling\"`"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
@@ -237,6 +239,13 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},
     {large_deflections, processes, "analysis.nonlinear", by_one_process("large deflections cannot be found")},
+    {arc_length, touching_faces, "analysis.control",
+     "\"arc_length\" follows smooth paths, and faces that open and close make kinks: choose \"load\", or remove "
+     "cracks.contact"},
+    {arc_length, load_cases, "analysis.control",
+     "\"arc_length\" follows the loads of one case: choose \"load\", or give each load case a file of its own"},
+    {constant_load, load_cases, "load",
+     "constant loads are part of no load case: give each load case a file of its own, or remove load[].constant"},
     {touching_faces, lanczos, "analysis.method",
      "\"lanczos\" needs a linear plate, and faces of cracks that open and close make it nonlinear; choose "
      "\"central_difference\""},
@@ -359,6 +368,8 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(in_plane && content.growth, growth_in_plane);
   add(a.nonlinear, large_deflections);
   add(a.nonlinear && moves, large_deflections_in_motion);
+  add(a.control == plate::LoadControl::arc_length, arc_length);
+  add(any_load([](const auto& load) { return load.history.kind == plate::History::Kind::constant; }), constant_load);
   add(content.faces_touch(), touching_faces);
   add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);

@@ -29,6 +29,8 @@ enum class Part {
   growth_in_plane,
   large_deflections,
   large_deflections_in_motion,
+  arc_length,
+  constant_load,
   touching_faces,
   buckling,
   unilateral_foundation,

@@ -168,6 +168,7 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   report_error(errors_in_response(content, analysis));
   report_error(errors_in_prestress(content, analysis));
   report_error(errors_in_beginning(content, analysis));
+  report_error(errors_in_constant_loads(content, analysis));
   report_error(excluded(content, reading.distributed));
 }
 

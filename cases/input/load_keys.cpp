@@ -510,6 +510,17 @@ Fields<Load> settlement_fields() {
   };
 }
 
+Field<Load> constant() {
+  return value<Load>(
+             {"constant", "-", "true or false", "false",
+              "with nonlinear = true: it acts in full before other loads grow, and beside them"},
+             [](const Value& given, Load& load) {
+               if (given.boolean().value_or(false)) load.history.kind = History::Kind::constant;
+             },
+             [](const Load& load) { return load.history.kind == History::Kind::constant ? "true" : ""; })
+      .in({Analysis::Kind::static_});
+}
+
 Fields<Load> history_fields() {
   const auto rise_time = [](auto& load) -> auto& {
     return load.history.rise_time;
@@ -518,6 +529,7 @@ Fields<Load> history_fields() {
     return load.history.frequency;
   };
   return {
+      constant(),
       value<Load>({"history", "-", history_words.text() + " or a table [[time, factor], ...]", "",
                    "factor in time; a table is linear between its rows and constant beyond them"},
                   read_history, history_text)

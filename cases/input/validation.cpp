@@ -104,6 +104,20 @@ std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const A
   return result;
 }
 
+std::vector<KeyError> errors_in_constant_loads(const plate::Problem& problem, const Analysis& analysis) {
+  std::vector<KeyError> result;
+  std::size_t constant = 0;
+  for (std::size_t i = 0; i < problem.loads.size(); ++i) {
+    if (problem.loads[i].history.kind != plate::History::Kind::constant) continue;
+    const auto key = key_of_load(problem, i) + ".constant";
+    if (!analysis.nonlinear)
+      result.push_back({key, "is of large deflections, and linear loads add up: remove it, or set analysis.nonlinear"});
+    else if (++constant == problem.loads.size())
+      result.push_back({key, "all loads are constant, and none grows: remove it here"});
+  }
+  return result;
+}
+
 namespace {
 
 std::vector<std::string> names_of(const std::vector<plate::LoadCase>& cases) {

@@ -35,6 +35,9 @@ std::vector<KeyError> errors_in_response(const plate::Problem& problem, const pl
 /// Supports and loads that move which do not begin at 0.
 std::vector<KeyError> errors_in_beginning(const plate::Problem& problem, const plate::Analysis& analysis);
 
+/// Constant loads without large deflections, and without another load that grows.
+std::vector<KeyError> errors_in_constant_loads(const plate::Problem& problem, const plate::Analysis& analysis);
+
 /// Names of load cases and combinations that are given twice or unknown, load cases without loads, combinations of
 /// nothing or of loads that all load cases share, which would be counted as often as the factors say, and load cases by
 /// a formulation whose stiffness is not symmetric.

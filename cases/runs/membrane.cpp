@@ -139,12 +139,24 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
   return result;
 }
 
-post::Table load_steps(const std::vector<plate::LoadStep>& steps) {
+post::Table load_steps(const std::vector<plate::LoadStep>& steps, plate::LoadControl control) {
+  const bool path = control == plate::LoadControl::arc_length;
   post::Table table{{"factor", "iterations", "residual", "largest_deflection", "strain_energy", "stable", "snapped"},
                     {}};
-  for (const auto& step : steps)
-    table.rows.push_back({step.factor, double(step.iterations), step.residual, step.largest_deflection,
-                          step.strain_energy, step.stable ? "yes" : "no", step.snapped ? "yes" : "no"});
+  if (path)
+    for (const char* more : {"arc_length", "deflection", "unstable_modes"}) table.columns.emplace_back(more);
+  for (const auto& step : steps) {
+    auto& row = table.rows.emplace_back();
+    row = {step.factor,
+           double(step.iterations),
+           step.residual,
+           step.largest_deflection,
+           step.strain_energy,
+           step.stable ? "yes" : "no",
+           step.snapped ? "yes" : "no"};
+    if (path)
+      for (const double more : {step.arc_length, step.deflection, double(step.unstable_modes)}) row.emplace_back(more);
+  }
   return table;
 }
 
@@ -155,8 +167,10 @@ std::vector<std::string> warnings_about(const plate::LargeDeflections& found, do
     const auto& step = found.steps[i];
     const double before = i == 0 ? 0 : found.steps[i - 1].factor;
     if (step.snapped)
-      lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: see load_steps.csv", before,
-                                  step.factor));
+      lines.push_back(
+          fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: analysis.control = \"arc_length\" finds "
+                      "the states between; see load_steps.csv",
+                      before, step.factor));
   }
   if (!found.steps.empty() && !found.steps.back().stable)
     lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");

@@ -18,6 +18,7 @@ struct Heat;
 struct StaticResult;
 struct StaticSolution;
 struct TouchingFaces;
+enum class LoadControl : bool;
 }  // namespace plate
 
 namespace cases {
@@ -89,8 +90,8 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
                                 const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
                                 const MembraneFactorsWanted& wanted, const std::string& where);
 
-/// The rows of load_steps.csv.
-post::Table load_steps(const std::vector<plate::LoadStep>& steps);
+/// The rows of load_steps.csv; by arc length with the columns of the path.
+post::Table load_steps(const std::vector<plate::LoadStep>& steps, plate::LoadControl control = {});
 
 /// Warnings about an equilibrium with large deflections that was not reached as loads grow, is not stable, or is beyond
 /// the theory. `stored`: by heat.

@@ -16,6 +16,8 @@
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "post/files/result_checks.hpp"
+#include "post/report/curve_plot.hpp"
+#include "post/report/curves.hpp"
 #include "post/report/terminal.hpp"
 
 namespace cases {
@@ -34,18 +36,38 @@ private:
   Results results_;
 };
 
+bool is_constant(const plate::TimedLoad& load) {
+  return load.history.kind == plate::History::Kind::constant;
+}
+
+/// The loads that are constant, or those that grow.
+plate::PlateLoads loads_of(const plate::Formulation& plate, const plate::Formulation& membrane, bool constant) {
+  plate::PlateLoads result{plate::zero_forces(plate.points()), plate::zero_forces(plate.points())};
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < plate.loads().size(); ++i) {
+    shares.push_back(is_constant(plate.loads()[i]) == constant ? 1 : 0);
+    result.across += shares[i] * plate.loads()[i].forces, result.in_plane += shares[i] * membrane.loads()[i].forces;
+  }
+  result.heat = plate::stiffness_of_heat(membrane, plate::heat_of(membrane, shares));
+  return result;
+}
+
 void LargeDeflectionRun::solve() {
   const auto& analysis = content().analysis;
   auto& summary = this->summary();
   post::Progress progress(quiet(), "large deflections");
   const plate::LargeDeflectionOptions options{
-      analysis.tolerance, [&](double factor, std::size_t iteration, double residual) {
+      analysis.tolerance,
+      [&](double factor, std::size_t iteration, double residual) {
         progress.update(factor,
                         fmt::format("load factor {:.3g}, iteration {}, residual {:.1e}", factor, iteration, residual));
-      }};
+      },
+      analysis.control, analysis.max_steps};
   const auto& membrane = *ready_.membrane;
   const auto heat = plate::heat_of(membrane, 1);
-  const plate::PlateLoads loads{plate_.total_load(), membrane.total_load(), plate::stiffness_of_heat(membrane, heat)};
+  const auto constant = loads_of(plate_, membrane, true);
+  auto loads = loads_of(plate_, membrane, false);
+  if (std::ranges::any_of(plate_.loads(), is_constant)) loads.constant = &constant;
   const auto found = plate::StretchedPlate(plate_, membrane).equilibrium(loads, options);
   progress.done();
   stopwatch().lap("solve");
@@ -53,10 +75,10 @@ void LargeDeflectionRun::solve() {
   auto& about = summary.analysis;
   about.method = "newton", about.iterations = found.iterations, about.tolerance = analysis.tolerance;
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
-  summary.load_steps = load_steps(found.steps);
+  summary.load_steps = load_steps(found.steps, analysis.control);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  auto in_plane = membrane_results(membrane, found, loads.in_plane, heat, {content().srif, ready_.membrane_methods},
-                                   "in the plane");
+  auto in_plane = membrane_results(membrane, found, membrane.total_load(), heat,
+                                   {content().srif, ready_.membrane_methods}, "in the plane");
   const double strain = found.bending_energy + found.membrane_energy + in_plane.stored,
                work = found.external_work + in_plane.stored;
   plate::Instant end{found.iterations, 0, found.bending, {}, 0, work, strain, 0, 0};
@@ -79,7 +101,11 @@ void LargeDeflectionRun::solve() {
 }
 
 void LargeDeflectionRun::finish() {
-  outputs_.recorder().table("load_steps", summary().load_steps);
+  auto& recorder = outputs_.recorder();
+  const auto& steps = summary().load_steps;
+  recorder.table("load_steps", steps);
+  if (content().analysis.control == plate::LoadControl::arc_length && recorder.plots())
+    recorder.picture("curves", post::to_svg(post::curves_of_path(content().title, steps, content().si())));
   results_.finish();
 }
 

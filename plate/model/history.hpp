@@ -6,7 +6,7 @@ namespace plate {
 
 /// Variation of a load in time, as a factor of its value.
 struct History {
-  enum class Kind { step, ramp, sine, table };
+  enum class Kind { step, ramp, sine, table, constant };  // constant: in full while other loads grow, at rest
   Kind kind = Kind::step;
   double rise_time = 0;                          // ramp: linear from 0 to 1 over this time, then 1
   double frequency = 0;                          // sine: sin(2 pi f t)

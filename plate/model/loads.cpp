@@ -31,6 +31,7 @@ double interpolate(const std::vector<std::pair<double, double>>& table, double t
 double factor(const History& history, double time) {
   switch (history.kind) {
     case History::Kind::step:
+    case History::Kind::constant:
       return 1;
     case History::Kind::ramp:
       return std::min(1.0, time / history.rise_time);

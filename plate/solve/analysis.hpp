@@ -1,11 +1,16 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "plate/model/numerical_method.hpp"
 
 namespace plate {
+
+/// How loads grow with large deflections at rest: by their factor, or along the path of equilibria, on which the factor
+/// is an unknown, through limit points.
+enum class LoadControl : bool { load, arc_length };
 
 enum class AnalysisKind { static_, dynamic, frequencies, harmonic, buckling };
 
@@ -21,6 +26,8 @@ struct Analysis {
   double tolerance = 1e-6;                   // static: residual / load; frequencies: of the eigenpairs, 1e-4 by default
   std::size_t max_iterations = 200000;       // static; frequencies: of each solution
   bool nonlinear = false;                    // static, dynamic: large deflections
+  LoadControl control = LoadControl::load;   // static, with large deflections
+  std::uint32_t max_steps = 500;             // by arc length
   std::size_t modes = 6;                     // frequencies, buckling
   double duration = 0;                       // dynamic [time]
   std::optional<double> time_step;           // dynamic; absent: from the computed bound

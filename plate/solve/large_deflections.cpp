@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -141,6 +142,30 @@ State solution(const Factor& factor, const Unknowns& unknowns, const Forces& for
   return result;
 }
 
+/// Displacements of a plate and its plane by forces on both.
+State displacements(const Factor& factor, const Unknowns& unknowns, const Constraints& constraints, Forces forces) {
+  constraints.fold(forces);
+  State result = solution(factor, unknowns, forces);
+  constraints.impose(result);
+  return result;
+}
+
+/// The loads that grow, by their factor: heat in the plane presses the more, the more the plate deflects.
+PlateLoads by_factor(const PlateLoads& loads, const State& bending) {
+  PlateLoads result{loads.across, loads.in_plane};
+  if (loads.heat.points() > 0) result.across -= product(loads.heat, bending);
+  return result;
+}
+
+/// Integral of one function over another between the ends of a step, of both cubic in its length; `by`: derivatives.
+double integral(const std::array<double, 2>& of, const std::array<double, 2>& of_by, const std::array<double, 2>& over,
+                const std::array<double, 2>& over_by, double length) {
+  const double more = of[1] - of[0], moved = over[1] - over[0];
+  return (of[0] + of[1]) / 2 * moved +
+         length * (more * (over_by[1] - over_by[0]) - moved * (of_by[1] - of_by[0])) / 10 -
+         length * length * (of_by[0] * over_by[1] - of_by[1] * over_by[0]) / 60;
+}
+
 }  // namespace
 
 Constraints pinned(const Formulation& membrane) {
@@ -264,31 +289,42 @@ double StretchedPlate::norm(const Forces& forces) const {
 /// `on_faces`: an estimate of the contact forces.
 StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& bending, double factor,
                                        const Eigen::VectorXd& on_faces) const {
-  Now now{bending, plane_.displacements(bending, factor * loads.in_plane), {}, {}};
+  Forces in_plane = factor * loads.in_plane;
+  if (loads.constant) in_plane += loads.constant->in_plane;
+  Now now{bending, plane_.displacements(bending, in_plane), {}, {}};
   if (contact_) now.on_faces = contact_->part(now.bending, now.membrane, on_faces);
   Forces on_membrane;
   plane_.stretching().internal_force(now.bending, now.membrane, now.on_bending, on_membrane);
   if (loads.heat.points() > 0) now.on_bending -= factor * product(loads.heat, now.bending);
+  if (loads.constant && loads.constant->heat.points() > 0) now.on_bending -= product(loads.constant->heat, now.bending);
   plate_.internal_force(now.bending, now.left);
   now.left += now.on_bending + factor * loads.across;
+  if (loads.constant) now.left += loads.constant->across;
   if (contact_) contact_->rows().press(now.on_faces, now.left, on_membrane);
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
   now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
   now.potential = -factor * displacement_of(loads, now.bending, now.membrane);
+  if (loads.constant) now.potential -= displacement_of(*loads.constant, now.bending, now.membrane);
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
     throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
   return now;
 }
 
-/// The stiffness there, with the least share of its diagonal that makes it positive.
+/// The stiffness there, of the unknowns.
+Eigen::SparseMatrix<double> StretchedPlate::stiffness(const Now& now, const PlateLoads& loads, double factor) const {
+  auto matrix = with_first(bending_, plane_.stretching().stiffness(now.bending, now.membrane));
+  if (loads.heat.points() > 0) add(loads.heat, factor, matrix);
+  if (loads.constant && loads.constant->heat.points() > 0) add(loads.constant->heat, 1, matrix);
+  return of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
+}
+
+/// The factor of the stiffness there, with the least share of its diagonal that makes it positive.
 std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, const PlateLoads& loads, double factor,
                                                 double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
-  auto matrix = with_first(bending_, plane_.stretching().stiffness(now.bending, now.membrane));
-  if (loads.heat.points() > 0) add(loads.heat, factor, matrix);
-  const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
+  const auto lower = stiffness(now, loads, factor);
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
       return std::make_unique<Factor>(lower, shift);
     } catch (const NumericalError&) {
@@ -347,20 +383,24 @@ StretchedPlate::Way StretchedPlate::rate(const Factor& tangent, const Now& now, 
   return {of_plate(both), of_plane(both), std::move(on_faces)};
 }
 
+/// The residual relative to the loads across the plate or to the forces of its middle plane.
+double StretchedPlate::residual(const Now& now, const PlateLoads& loads, double factor) const {
+  Forces load = factor * loads.across, stretched = now.on_bending;
+  if (loads.constant) load += loads.constant->across;
+  plate_.constraints().fold(load), plate_.constraints().fold(stretched);
+  const double scale = std::max(norm(load), norm(stretched));
+  return scale > 0 ? now.residual / scale : 0;
+}
+
 /// Newton's iteration at the load factor of a step, each way as far as it lowers the energy.
 bool StretchedPlate::iterate(Now& now, const PlateLoads& loads, const LargeDeflectionOptions& options,
                              LoadStep& step) const {
   constexpr std::size_t most = 30;
   constexpr int halvings = 10;
   constexpr double rounding = 1e-13;
-  Forces load = step.factor * loads.across;
-  plate_.constraints().fold(load);
   for (step.iterations = 0;; ++step.iterations) {
     stop_if_asked("large deflections", plate_.constraints());
-    Forces stretched = now.on_bending;
-    plate_.constraints().fold(stretched);
-    const double scale = std::max(norm(load), norm(stretched));
-    step.residual = scale > 0 ? now.residual / scale : 0;
+    step.residual = residual(now, loads, step.factor);
     if (options.progress) options.progress(step.factor, step.iterations, step.residual);
     if (step.residual <= options.tolerance) return true;
     if (step.iterations == most) return false;
@@ -391,17 +431,19 @@ struct StretchedPlate::Path {
   double work = 0;              // of the loads
   std::size_t bytes = 0;        // of the stiffness
   bool stable = true;
+  // by arc length
+  std::size_t unstable_modes = 0;
+  double length = 0;        // so far
+  Eigen::Index point = -1;  // whose deflection is told; -1: nothing has deflected
 };
 
 /// Finds how the plate goes on from where it is.
 void StretchedPlate::look_ahead(Path& path) const {
   double shift = 0;
-  const auto& [across, in_plane, heat] = *path.loads;
   const auto inverse = tangent(path.now, *path.loads, path.factor, shift);
-  PlateLoads by_factor{across, in_plane};
-  if (heat.points() > 0) by_factor.across -= product(heat, path.now.bending);
-  path.rate = rate(*inverse, path.now, by_factor);
-  path.along = displacement_of(by_factor, path.rate.bending, path.rate.membrane);
+  const auto loads = by_factor(*path.loads, path.now.bending);
+  path.rate = rate(*inverse, path.now, loads);
+  path.along = displacement_of(loads, path.rate.bending, path.rate.membrane);
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
@@ -416,6 +458,14 @@ double StretchedPlate::work_between(const Path& before, const Path& after) const
   const double hermite = mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
   const double least = before.factor * moved, most = after.factor * moved;
   return moved > 0 && hermite > most ? std::max(least, most - moved * moved / (2 * after.along)) : hermite;
+}
+
+/// Work of the constant loads from one equilibrium to the next.
+double StretchedPlate::work_of_constant(const Path& before, const Path& after) const {
+  const auto* loads = after.loads->constant;
+  if (!loads) return 0;
+  return displacement_of(*loads, after.now.bending, after.now.membrane) -
+         displacement_of(*loads, before.now.bending, before.now.membrane);
 }
 
 /// Finds the next equilibrium; false where there is none within the least step.
@@ -438,7 +488,7 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     path.now = std::move(next), path.factor = step.factor;
     look_ahead(path);
     step.stable = path.stable;
-    path.work += work_between(before, path);
+    path.work += work_between(before, path) + work_of_constant(before, path);
     path.step = length * std::clamp(usual / double(step.iterations + 1), 0.5, 3.0);
     result.steps.push_back(step);
     return true;
@@ -452,26 +502,210 @@ StretchedPlate::Now StretchedPlate::undeformed(const PlateLoads& loads) const {
   return at(loads, zero_like(loads.across), 0, on_faces);
 }
 
-LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const {
+/// Lets the loads grow by their factor as far as equilibria are found.
+void StretchedPlate::grow(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const {
   constexpr double far = 2;  // thicknesses, of the first step by linear theory
-  LargeDeflections result;
-  Path path{.loads = &loads, .now = undeformed(loads), .rate = {}};
   look_ahead(path);
   const double linear = path.rate.bending.row(0).cwiseAbs().maxCoeff();
   if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);
   while (path.factor < 1 && advance(path, options, result)) {
   }
-  result.converged = path.factor >= 1;
-  result.stop_reason = result.converged ? fmt::format("residual below tolerance in {} load steps", result.steps.size())
-                                        : fmt::format("no equilibrium found beyond {:.4g} of the loads", path.factor);
-  if (result.steps.empty())
-    result.stop_reason += fmt::format(", which deflect the plate by {:.2g} thicknesses in linear theory: reduce them",
-                                      linear / plate_.section().thickness);
+  if (path.factor < 1 && result.steps.empty())
+    result.stop_reason = fmt::format(
+        "no equilibrium found beyond {:.4g} of the loads, which deflect the plate by {:.2g} thicknesses in linear "
+        "theory: reduce them",
+        path.factor, linear / plate_.section().thickness);
+}
+
+/// A direction of the path of equilibria, of the length 1: squares are the mean of (w / thickness)^2 over the points
+/// and the load factor squared.
+struct StretchedPlate::Arc {
+  State bending;
+  double factor = 1;
+  double moved = 0;  // displacement of the loads that grow
+  double step = 0;   // next one, of the length of the path
+
+  double dot(const State& other, double other_factor, double thickness) const {
+    return bending.row(0).dot(other.row(0)) / (thickness * thickness * double(other.cols())) + factor * other_factor;
+  }
+};
+
+/// The direction of the path from an equilibrium on, the way that another one went.
+StretchedPlate::Arc StretchedPlate::look_along(Path& path, const Arc& before) const {
+  const double h = plate_.section().thickness;
+  const auto inverse = Factor::of_any_sign(stiffness(path.now, *path.loads, path.factor));
+  const auto loads = by_factor(*path.loads, path.now.bending);
+  const State both = displacements(inverse, unknowns_, of_both_, stacked(loads.across, loads.in_plane));
+  Arc result{of_plate(both)};
+  result.moved = displacement_of(loads, result.bending, of_plane(both));
+  const double length = std::sqrt(result.dot(result.bending, 1, h));
+  const double share = (before.dot(result.bending, 1, h) < 0 ? -1 : 1) / length;
+  result.bending *= share, result.factor = share, result.moved *= share, result.step = before.step;
+  path.bytes = inverse.bytes(), path.unstable_modes = inverse.negative(), path.stable = path.unstable_modes == 0;
+  return result;
+}
+
+/// Newton's iteration in the plane through the state of a path that is normal to a direction.
+bool StretchedPlate::correct(Path& path, const Arc& normal, const LargeDeflectionOptions& options,
+                             LoadStep& step) const {
+  constexpr std::size_t most = 12;
+  constexpr double beyond = 1e3;  // the first residual
+  const double h = plate_.section().thickness;
+  for (double first = 0;; ++step.iterations) {
+    stop_if_asked("large deflections", plate_.constraints());
+    step.residual = residual(path.now, *path.loads, path.factor);
+    if (options.progress) options.progress(path.factor, step.iterations, step.residual);
+    if (step.residual <= options.tolerance) return true;
+    if (first == 0) first = step.residual;
+    if (step.iterations >= most || !(step.residual < beyond * first)) return false;
+    const auto lower = stiffness(path.now, *path.loads, path.factor);
+    State change, by_load;
+    try {
+      const auto inverse = Factor::of_any_sign(lower);
+      const auto solve = [&](const Forces& across, const Forces& in_plane) {
+        return of_plate(displacements(inverse, unknowns_, of_both_, stacked(across, in_plane)));
+      };
+      const auto loads = by_factor(*path.loads, path.now.bending);
+      change = solve(path.now.left, zero_like(path.now.left)), by_load = solve(loads.across, loads.in_plane);
+    } catch (const NumericalError&) {
+      return false;  // singular: a shorter step ends elsewhere
+    }
+    const double more = -normal.dot(change, 0, h) / normal.dot(by_load, 1, h);
+    if (!std::isfinite(more)) return false;
+    path.factor += more;
+    path.now = at(*path.loads, path.now.bending + change + more * by_load, path.factor, {});
+  }
+}
+
+/// Work of the loads from one equilibrium of a path to the next: of those that grow by the integral of their factor, of
+/// constant ones exactly.
+double StretchedPlate::work_along(const Path& before, const Path& after, const Arc& first, const Arc& last) const {
+  const auto& loads = *before.loads;
+  const auto of = [](const PlateLoads& some, const Path& path) {
+    return displacement_of(some, path.now.bending, path.now.membrane);
+  };
+  return work_of_constant(before, after) + integral({before.factor, after.factor}, {first.factor, last.factor},
+                                                    {of(loads, before), of(loads, after)}, {first.moved, last.moved},
+                                                    after.length - before.length);
+}
+
+/// The extreme load factor between two equilibria of a path, cubic in its length; none where the factor only grows or
+/// falls.
+std::optional<double> StretchedPlate::limit_between(const Path& before, const Path& after, const Arc& first,
+                                                    const Arc& last) const {
+  if (first.factor * last.factor >= 0) return std::nullopt;
+  const double length = after.length - before.length, more = after.factor - before.factor;
+  const double a = length * first.factor, c = a + length * last.factor - 2 * more, b = more - a - c;
+  const double t = -a / (b - std::copysign(std::sqrt(b * b - 3 * a * c), a));
+  return before.factor + t * (a + t * (b + t * c));
+}
+
+/// Records an equilibrium of the path.
+void StretchedPlate::add_step(Path& path, LoadStep& step, LargeDeflections& result) const {
+  const auto deflections = path.now.bending.row(0);
+  step.factor = path.factor, step.stable = path.stable, step.arc_length = path.length;
+  step.unstable_modes = path.unstable_modes;
+  step.strain_energy = path.now.bending_energy + path.now.membrane_energy;
+  step.largest_deflection = deflections.cwiseAbs().maxCoeff();
+  if (path.point < 0 && step.largest_deflection > 0) deflections.cwiseAbs().maxCoeff(&path.point);
+  if (path.point >= 0) step.deflection = deflections[path.point];
+  result.steps.push_back(step);
+}
+
+/// Applies the constant loads; false where there is no equilibrium under all of them.
+bool StretchedPlate::begin_with_constant(Path& path, const LargeDeflectionOptions& options,
+                                         LargeDeflections& result) const {
+  const auto& constant = *path.loads->constant;
+  Path first{.loads = &constant, .now = undeformed(constant), .rate = {}};
+  grow(first, options, result);
+  path.work = first.work, path.bytes = first.bytes;
+  if (first.factor < 1) {
+    result.stop_reason = fmt::format("no equilibrium found beyond {:.4g} of the constant loads", first.factor);
+    path.now = std::move(first.now);
+    return false;
+  }
+  LoadStep start = result.steps.back();
+  start.factor = 0, start.snapped = result.snapped();
+  result.steps = {start};
+  path.now = at(*path.loads, first.now.bending, 0, first.now.on_faces);
+  return true;
+}
+
+/// Follows the path of equilibria by its length until the load factor is 1.
+void StretchedPlate::follow(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const {
+  constexpr double first = 0.05;  // length
+  Arc arc = look_along(path, {zero_like(path.now.bending)});
+  arc.step = first;
+  if (!result.steps.empty()) {
+    LoadStep start = result.steps.back();
+    result.steps.clear();
+    add_step(path, start, result);
+  }
+  for (std::size_t n = 0; path.factor < 1; ++n) {
+    if (n == options.max_steps) {
+      result.stop_reason =
+          fmt::format("the path is at a load factor of {:.4g} after {} steps: raise `max_steps`", path.factor, n);
+      return;
+    }
+    if (!advance_along(path, arc, options, result)) return;
+  }
+}
+
+/// Finds the next equilibrium along the path; false where there is none within the least step.
+bool StretchedPlate::advance_along(Path& path, Arc& arc, const LargeDeflectionOptions& options,
+                                   LargeDeflections& result) const {
+  constexpr double least = 1e-5, most = 1, usual = 5, turned = 0.9;  // lengths; iterations; cosine
+  const double h = plate_.section().thickness;
+  for (;; arc.step /= 2) {
+    if (arc.step < least) return false;
+    LoadStep step;
+    Path next = path;
+    next.factor += arc.step * arc.factor;
+    next.now = at(*path.loads, path.now.bending + arc.step * arc.bending, next.factor, {});
+    bool found = correct(next, arc, options, step);
+    if (found && next.factor > 1) {
+      const double share = (1 - path.factor) / (next.factor - path.factor);
+      next.factor = 1, next.now = at(*path.loads, (1 - share) * path.now.bending + share * next.now.bending, 1, {});
+      found = correct(next, {zero_like(arc.bending)}, options, step);
+    }
+    result.iterations += step.iterations;
+    if (!found) continue;
+    Arc after = look_along(next, arc);
+    const Arc chord{next.now.bending - path.now.bending, next.factor - path.factor};
+    const double length = std::sqrt(chord.dot(chord.bending, chord.factor, h));
+    if (arc.dot(after.bending, after.factor, h) < turned) continue;
+    next.length += length;
+    next.work += work_along(path, next, arc, after);
+    if (const auto limit = limit_between(path, next, arc, after)) result.limits.push_back(*limit);
+    after.step = std::min(most, arc.step * std::clamp(usual / double(step.iterations + 1), 0.5, 2.0));
+    path = std::move(next), arc = std::move(after);
+    add_step(path, step, result);
+    return true;
+  }
+}
+
+LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const {
+  LargeDeflections result;
+  Path path{.loads = &loads, .now = undeformed(loads), .rate = {}};
+  if (!loads.constant || begin_with_constant(path, options, result)) {
+    if (options.control == LoadControl::arc_length)
+      follow(path, options, result);
+    else
+      grow(path, options, result);
+    result.converged = path.factor >= 1;
+    if (result.converged)
+      result.stop_reason = fmt::format("residual below tolerance in {} load steps", result.steps.size());
+    if (result.stop_reason.empty())
+      result.stop_reason = fmt::format("no equilibrium found beyond {:.4g} of the loads", path.factor);
+  }
+  if (!result.limits.empty())
+    result.stop_reason += fmt::format(", limit points at load factors {:.5g}", fmt::join(result.limits, ", "));
   auto& now = path.now;
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
-  if (loads.heat.points() > 0)
-    result.stored_by_deflections = now.bending.cwiseProduct(product(loads.heat, now.bending)).sum() / 2;
+  for (const auto* some : {&loads, loads.constant})
+    if (some && some->heat.points() > 0)
+      result.stored_by_deflections += now.bending.cwiseProduct(product(some->heat, now.bending)).sum() / 2;
   result.factor_bytes = path.bytes;
   if (contact_) {
     const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);

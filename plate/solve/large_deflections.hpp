@@ -1,10 +1,12 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/solve/analysis.hpp"
 #include "plate/solve/crack_contact.hpp"
 #include "plate/solve/matrices/factor.hpp"
 #include "plate/solve/stretching.hpp"
@@ -17,19 +19,25 @@ struct Heat;
 
 /// An equilibrium on the way to the full load.
 struct LoadStep {
-  double factor = 0;  // of all loads
+  double factor = 0;  // of all loads but the constant ones
   std::size_t iterations = 0;
   double residual = 0;            // relative to the load
   double largest_deflection = 0;  // |w| of any point [length]
   double strain_energy = 0;
   bool stable = true;    // the stiffness is positive there
   bool snapped = false;  // on the way from the step before it was not
+  // of a path by arc length
+  double arc_length = 0;           // along the path from where the constant loads act alone
+  double deflection = 0;           // w of the point that deflects most in the first row of the path [length]
+  std::size_t unstable_modes = 0;  // negative eigenvalues of the stiffness
 };
 
 /// Limits of the search for an equilibrium with large deflections.
 struct LargeDeflectionOptions {
   double tolerance = 1e-6;  // of the residual, as in StaticOptions
   std::function<void(double factor, std::size_t iterations, double residual)> progress = {};
+  LoadControl control = LoadControl::load;
+  std::size_t max_steps = 500;  // limit of the steps by arc length
 };
 
 /// Equilibrium of a plate with large deflections.
@@ -43,7 +51,8 @@ struct LargeDeflections {
   Forces on_bending;  // of the stretched middle plane on the deflections
   Stretch stretch;    // of the middle plane by the deflections
   Eigen::Matrix3Xd membrane_forces;
-  TouchingFaces touching;  // its faces alone; none where contact was not asked for
+  TouchingFaces touching;      // its faces alone; none where contact was not asked for
+  std::vector<double> limits;  // load factors of limit points of a path by arc length, between its steps
   std::size_t iterations = 0, factor_bytes = 0;
   bool converged = false;
   std::string stop_reason;
@@ -87,7 +96,8 @@ private:
 /// Nodal forces on a plate and on the same points in their plane.
 struct PlateLoads {
   Forces across, in_plane;
-  PointMatrix heat = {};  // stiffness_of_heat() of the heat among those in the plane
+  PointMatrix heat = {};                 // stiffness_of_heat() of the heat among those in the plane
+  const PlateLoads* constant = nullptr;  // loads that act in full before these grow, and with them; null: none
 };
 
 /// Stretching::stiffness_of_heat of the heat of a plate in its plane; without points where there is none.
@@ -110,16 +120,19 @@ public:
   StretchedPlate(const Formulation& plate, const Formulation& membrane);
   ~StretchedPlate();
 
-  /// Equilibrium under loads that grow together in steps that find their own length.
-  /// @throws NumericalError  where a number is not finite
+  /// Equilibrium under loads that grow together in steps that find their own length. A path by arc length ends where
+  /// the load factor comes to 1 for the first time; no faces may touch then.
+  /// @throws NumericalError  where a number is not finite, or the stiffness is singular at a step of a path
   LargeDeflections equilibrium(const PlateLoads& loads, const LargeDeflectionOptions& options) const;
 
 private:
   struct Now;
   struct Path;
+  struct Arc;
   struct Way;
   Now at(const PlateLoads& loads, const State& bending, double factor, const Eigen::VectorXd& on_faces) const;
   Now undeformed(const PlateLoads& loads) const;
+  Eigen::SparseMatrix<double> stiffness(const Now& now, const PlateLoads& loads, double factor) const;
   std::unique_ptr<Factor> tangent(const Now& now, const PlateLoads& loads, double factor, double& shift) const;
   Way step(const Factor& tangent, const Now& now) const;
   Way rate(const Factor& tangent, const Now& now, const PlateLoads& loads) const;
@@ -129,6 +142,17 @@ private:
   void look_ahead(Path& path) const;
   double work_between(const Path& before, const Path& after) const;
   bool advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
+  void grow(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
+  double residual(const Now& now, const PlateLoads& loads, double factor) const;
+  Arc look_along(Path& path, const Arc& before) const;
+  bool correct(Path& path, const Arc& along, const LargeDeflectionOptions& options, LoadStep& step) const;
+  double work_of_constant(const Path& before, const Path& after) const;
+  double work_along(const Path& before, const Path& after, const Arc& first, const Arc& last) const;
+  std::optional<double> limit_between(const Path& before, const Path& after, const Arc& first, const Arc& last) const;
+  void add_step(Path& path, LoadStep& step, LargeDeflections& result) const;
+  bool begin_with_constant(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
+  bool advance_along(Path& path, Arc& arc, const LargeDeflectionOptions& options, LargeDeflections& result) const;
+  void follow(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
 
   const Formulation& plate_;
   PointMatrix bending_;

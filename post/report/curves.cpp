@@ -102,6 +102,15 @@ CurvePlot curves_of_growth(const std::string& title, const Table& growth, bool s
   return plot;
 }
 
+CurvePlot curves_of_path(const std::string& title, const Table& steps, bool si) {
+  CurvePlot plot{title, {}};
+  const auto axis = with_unit("w of the point that deflects most at first", si, "m");
+  const auto deflection = numbers(steps, "deflection");
+  add(plot, axis, "load factor", lines(steps, deflection, {{"factor", ""}}));
+  add(plot, axis, with_unit("strain energy", si, "J"), lines(steps, deflection, {{"strain_energy", ""}}));
+  return plot;
+}
+
 std::string picture_of_growth(const std::string& title, const Table& growth, bool si) {
   return to_svg(curves_of_growth(title, growth, si));
 }

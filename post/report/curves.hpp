@@ -18,6 +18,10 @@ CurvePlot curves_of_motion(const std::string& title, const std::vector<double>& 
 /// growth.csv.
 CurvePlot curves_of_growth(const std::string& title, const Table& growth, bool si);
 
+/// A path of equilibria by arc length: load factor against the deflection of a point, and energy; `steps`: the columns
+/// of load_steps.csv.
+CurvePlot curves_of_path(const std::string& title, const Table& steps, bool si);
+
 /// Returns curves_of_growth() as SVG.
 std::string picture_of_growth(const std::string& title, const Table& growth, bool si);
 

@@ -146,6 +146,8 @@ std::string words(const plate::History& history) {
       return fmt::format("rising over {:g}", history.rise_time);
     case sine:
       return fmt::format("sine of frequency {:g}", history.frequency);
+    case constant:
+      return "constant, while others grow";
     case table:
       return history.table.size() < 2
                  ? "table in time"

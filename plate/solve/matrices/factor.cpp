@@ -68,9 +68,10 @@ struct Factor::Handle {
   cholmod_factor* factor = nullptr;
   cholmod_dense *solution = nullptr, *work = nullptr, *more_work = nullptr;
 
-  Handle() {
-    common->supernodal = CHOLMOD_SUPERNODAL;
-    common->quick_return_if_not_posdef = true;
+  explicit Handle(bool positive) {
+    common->supernodal = positive ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+    common->quick_return_if_not_posdef = positive;
+    common->final_ll = false;
   }
   ~Handle() {
     for (auto** dense : {&solution, &work, &more_work}) cholmod_free_dense(dense, &common);
@@ -78,7 +79,18 @@ struct Factor::Handle {
   }
 };
 
-Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift) : handle_(std::make_unique<Handle>()) {
+Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift) : Factor(lower, shift, true) {}
+
+Factor Factor::of_any_sign(const Eigen::SparseMatrix<double>& lower) {
+  try {
+    return Factor(lower);
+  } catch (const NumericalError&) {
+    return {lower, 0, false};
+  }
+}
+
+Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool positive)
+    : handle_(std::make_unique<Handle>(positive)) {
   auto& h = *handle_;
   const OneThread one_thread;
   Eigen::SparseMatrix<double> shifted;
@@ -112,8 +124,18 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
   return Eigen::Map<Eigen::MatrixXd>(static_cast<double*>(h.solution->x), right.rows(), right.cols());
 }
 
+std::size_t Factor::negative() const {
+  const auto& factor = *handle_->factor;
+  if (factor.is_super || factor.is_ll) return 0;
+  const auto *first = static_cast<const int*>(factor.p), *end = first + factor.n;
+  const auto* values = static_cast<const double*>(factor.x);
+  return std::size_t(std::count_if(first, end, [&](int at) { return values[at] < 0; }));
+}
+
 std::size_t Factor::bytes() const {
-  return handle_->factor->xsize * sizeof(double) + handle_->factor->ssize * sizeof(int);
+  const auto& factor = *handle_->factor;
+  if (!factor.is_super) return factor.nzmax * (sizeof(double) + sizeof(int));
+  return factor.xsize * sizeof(double) + factor.ssize * sizeof(int);
 }
 
 namespace {

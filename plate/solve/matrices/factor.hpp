@@ -13,16 +13,24 @@ public:
   /// `lower`: the lower triangle, its unknowns in the order of elimination. `shift` times the diagonal is added to it.
   /// Throws NumericalError where the matrix is not positive.
   explicit Factor(const Eigen::SparseMatrix<double>& lower, double shift = 0);
+  /// The factor of a matrix that need not be positive: where it is not, L D L^T without supernodes and without a search
+  /// for pivots, some times slower.
+  /// @throws NumericalError  where it is singular
+  static Factor of_any_sign(const Eigen::SparseMatrix<double>& lower);
   ~Factor();
   Factor(Factor&&) noexcept;
 
   /// Solutions for all columns of `right` at once. One call at a time.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
+  /// Number of negative eigenvalues, that of negative pivots.
+  std::size_t negative() const;
   std::size_t bytes() const;
 
 private:
   struct Handle;
+  Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool positive);
+
   std::unique_ptr<Handle> handle_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include <tuple>
 
 #include "cases/runs/membrane.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -12,6 +13,7 @@
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "tests/catch.hpp"
@@ -50,6 +52,62 @@ struct Found {
   }
   double largest() const { return state.bending.row(0).cwiseAbs().maxCoeff(); }
   double energy() const { return state.bending_energy + state.membrane_energy; }
+};
+
+/// A strip of length 1 between edges that keep their distance, heated to `heat` times its buckling load and loaded by
+/// a pressure as constant loads, and by a pressure that grows; the pressures over D pi^4 h.
+struct HeatedStrip {
+  static constexpr double h = 0.01, D = h * h * h / 12, S = 5.0 / 6 / 2 * h,
+                          N = D * std::numbers::pi * std::numbers::pi,
+                          unit = N * std::numbers::pi * std::numbers::pi * h;
+  static constexpr double heat = 6, first = 0.3, grows = -6;
+
+  cases::Case content(const FormulationKind& formulation, double spacing) const {
+    auto c = vp::square(spacing);
+    c.outline = geometry::rectangle(0, 0, 1, 0.2);
+    c.section = {1, 0, h, 5.0 / 6, 1};
+    c.section.thermal_expansion = 1;
+    c.discretization.formulation = &formulation;
+    c.analysis.kind = cases::Analysis::Kind::static_;
+    c.supports = {vp::held(SupportKind::simply_supported, {"left", "right"})};
+    c.supports[0].in_plane = InPlane::normal;
+    Temperature hot;
+    hot.mean = heat * N / h;
+    c.loads = {{hot}, {Pressure{first * unit}}, {Pressure{grows * unit}}};
+    c.stretches = true;
+    return c;
+  }
+
+  struct State {
+    double pressure, deflection;
+  };
+  /// The beam under the tension n by its series of sines, up to the sign of both: the deflection is linear in the
+  /// pressure, and its length gives n = h k^2 a^2 / 4 - heat N.
+  static State state(double n) {
+    double shortened = 0, deflection = 0;
+    for (int m = 1; m < 100; m += 2) {
+      const double k = m * std::numbers::pi, a = 4 / k / (D * k * k * k * k / (1 + D * k * k / S) + n * k * k);
+      shortened += h * k * k * a * a / 4, deflection += m % 4 == 1 ? a : -a;
+    }
+    const double pressure = std::sqrt((n + heat * N) / shortened);
+    return {pressure, pressure * std::abs(deflection)};
+  }
+  static constexpr double buckling = -N / (1 + N / S);  // tension
+  static double limit() {
+    double most = 0;
+    for (int i = 1; i < 5000; ++i)
+      most = std::max(most, state(-heat * N + i / 5000.0 * (buckling + heat * N)).pressure);
+    return most;
+  }
+  /// The pressure on the way from the one deflection to the other, of the sign opposite to the deflection.
+  static double against(double deflection) {
+    double low = -heat * N, high = buckling;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      (state(middle).deflection < std::abs(deflection) ? low : high) = middle;
+    }
+    return std::copysign(state(low).pressure, -deflection);
+  }
 };
 
 struct Square {
@@ -275,4 +333,61 @@ TEST_CASE("large deflections: loads beyond all load steps are told, with their d
   CHECK_FALSE(found.converged);
   CHECK_THAT(found.stop_reason,
              Catch::Contains("beyond 0 of the loads") && Catch::Contains("thicknesses in linear theory: reduce them"));
+}
+
+TEST_CASE("large deflections: the path by arc length snaps through as the series of a heated strip", "[in_plane]") {
+  struct Strip {
+    const FormulationKind& formulation;
+    double spacing, limit, branch;  // tolerances over the limit pressure
+  };
+  // limit pressures 0.16 % and 2.84 % off, unstable branches 0.17 % and 1.77 %; 40 points along: 0.09 and 0.85 %
+  const std::vector<Strip> strips{{plate::galerkin, 1.0 / 30, 0.003, 0.003}, {plate::ordinary, 1.0 / 24, 0.04, 0.025}};
+  const HeatedStrip exact;
+  const double limit = exact.limit();
+  for (const auto& [formulation, spacing, of_limit, of_branch] : strips) {
+    INFO(formulation.name);
+    const auto made = discretise(exact.content(formulation, spacing));
+    const auto& [plate, membrane] = std::tie(*made.plate, *made.membrane);
+    const auto loads_with = [&](const std::vector<double>& shares) {
+      PlateLoads loads{zero_forces(plate.points()), zero_forces(plate.points()),
+                       stiffness_of_heat(membrane, heat_of(membrane, shares))};
+      for (std::size_t i = 0; i < shares.size(); ++i)
+        loads.across += shares[i] * plate.loads()[i].forces, loads.in_plane += shares[i] * membrane.loads()[i].forces;
+      return loads;
+    };
+    const auto constant = loads_with({1, 1, 0});
+    auto loads = loads_with({0, 0, 1});
+    loads.constant = &constant;
+    const StretchedPlate both(plate, membrane);
+    const auto start = both.equilibrium(constant, {1e-8, {}});
+    const auto found = both.equilibrium(loads, {1e-8, {}, LoadControl::arc_length});
+    REQUIRE(found.converged);
+    const auto pressure = [&](double factor) { return exact.unit * (exact.first + factor * exact.grows); };
+
+    REQUIRE(found.limits.size() == 2);
+    CHECK(std::abs(pressure(found.limits[0]) / limit + 1) < of_limit);
+    CHECK(std::abs(pressure(found.limits[1]) / limit - 1) < of_limit);
+    CHECK(std::abs(pressure(found.limits[0]) + pressure(found.limits[1])) < 3e-4 * limit);  // 6e-5, by symmetry
+    std::size_t unstable = 0, modes = 0;
+    for (const auto& step : found.steps) {
+      CHECK(step.stable == (step.unstable_modes == 0));
+      modes = std::max(modes, step.unstable_modes);
+      if (step.stable) continue;
+      ++unstable;
+      CHECK(std::abs(pressure(step.factor) - exact.against(step.deflection)) < of_branch * limit);
+    }
+    CHECK(unstable >= 4);  // 5
+    CHECK(modes == 2);     // the second without symmetry
+    CHECK(found.steps.front().factor == 0);
+    CHECK(found.steps.back().stable);
+    CHECK(found.steps.back().factor == 1);
+
+    const double gained = found.bending_energy + found.membrane_energy - start.bending_energy - start.membrane_energy;
+    CHECK(std::abs((found.external_work - start.external_work) / gained - 1) < 0.004);  // 0.09 %, 0.01 %
+    CHECK((found.steps.front().deflection > 0 && found.steps.back().deflection < 0));
+
+    const auto jumped = both.equilibrium(loads, {1e-8, {}});
+    CHECK(jumped.snapped());
+    CHECK((jumped.bending - found.bending).norm() < 1e-5 * found.bending.norm());
+  }
 }

@@ -99,7 +99,10 @@ std::vector<Sample> samples_in_plane() {
                           {"section.density", "1"},
                           {"discretization.formulation", "galerkin"}};
   const Settings grows{{"growth.fracture_energy", "1"}, {"discretization.formulation", "galerkin"}};
-  return {{motion_in_plane, moving, traction},
+  const Settings bends{{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}};
+  return {{arc_length, joined(bends, {{"analysis.control", "arc_length"}})},
+          {constant_load, bends, "{ kind = 'pressure', value = 1, constant = true }"},
+          {motion_in_plane, moving, traction},
           {stressed_frequencies, vibrates, traction},
           {growth_in_plane, grows, traction}};
 }

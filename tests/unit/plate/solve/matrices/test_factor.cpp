@@ -48,6 +48,20 @@ TEST_CASE("factor: solutions for all columns at once, with and without a share o
   }
 }
 
+TEST_CASE("factor: of any sign it solves, and counts the negative eigenvalues") {
+  Eigen::MatrixXd K = springs(12, 9);
+  const Eigen::MatrixXd right = Eigen::MatrixXd::Random(K.rows(), 2);
+  for (const double less : {0.0, 0.5, 2.0, 8.0}) {
+    K.diagonal().array() -= less;
+    const auto factor = Factor::of_any_sign(lower(K));
+    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues();
+    CHECK(factor.negative() == std::size_t((values.array() < 0).count()));
+    const Eigen::MatrixXd x = factor.solve(right);
+    CHECK((K * x - right).cwiseAbs().maxCoeff() < 1e-9 * x.cwiseAbs().maxCoeff() * 40);
+    CHECK(factor.bytes() >= std::size_t(lower(K).nonZeros()) * sizeof(double));
+  }
+}
+
 TEST_CASE("factor: what is not positive is refused, and is not where enough is added") {
   Eigen::MatrixXd K = springs(3, 3);
   K(4, 4) = -1;
