@@ -40,6 +40,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
     {coupled_section, "plies that are not symmetric, or a stiffener with `eccentricity`"},
+    {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
     {factors_to_accuracy, "`srif.accuracy`"},
     {richardson, "`srif.richardson`"},
@@ -258,13 +259,16 @@ const std::vector<Exclusion> excluded_pairs{
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
-    {coupled_section, motion, "analysis.kind", coupled_at_rest},
+    {heavier_on_one_side, motion, "section.plies",
+     "plies that are heavier on one side turn as they move in the plane, which is not carried in motion yet: make "
+     "densities symmetric"},
+    {coupled_section, lanczos, "analysis.method",
+     "\"lanczos\" moves plates that bend alone, and bending and stretching are coupled; choose \"central_difference\""},
+    {coupled_section, stiffness_damping, "analysis.damping",
+     "damping by the stiffness does not act in the plane yet: give mass alone"},
     {coupled_section, frequencies, "analysis.kind", coupled_at_rest},
     {coupled_section, harmonic, "analysis.kind", coupled_at_rest},
     {coupled_section, buckling, "analysis.kind", coupled_at_rest},
-    {coupled_section, large_deflections, "analysis.nonlinear",
-     "plates whose bending and stretching are coupled are linear yet: remove it, make plies symmetric, or remove "
-     "stiffener[].eccentricity"},
     {coupled_section, touching_faces, "cracks.contact",
      "contact is found where only faces that touch couple bending and stretching: remove it, or "
      "stiffener[].eccentricity"},
@@ -284,7 +288,6 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, richardson, "srif.richardson", of_uncoupled},
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
     {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
-    {axial_stiffener, motion, "analysis.kind", axial_at_rest},
     {axial_stiffener, frequencies, "analysis.kind", axial_at_rest},
     {axial_stiffener, harmonic, "analysis.kind", axial_at_rest},
     {axial_stiffener, buckling, "analysis.kind", axial_at_rest},
@@ -377,6 +380,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
   add(content.coupled(), coupled_section);
+  add(content.section.heavier_on_one_side(), heavier_on_one_side);
   add(std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches), axial_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);

@@ -136,7 +136,10 @@ public:
   std::vector<FacePair> face_pairs() const override { return facing_points(cells_); }
   PointMatrix stiffness() const override { return stiffness_matrix(op_); }
   std::unique_ptr<Stretching> stretching() const override {
-    return std::make_unique<GalerkinStretching>(op_.families(), sections());
+    const auto couples = section().couples();
+    return std::make_unique<GalerkinStretching>(
+        op_.families(), sections(),
+        couples ? std::optional(galerkin_coupling(op_.families(), section())) : std::nullopt);
   }
   std::unique_ptr<Formulation> middle_plane() const override {
     Stopwatch ignored;
