@@ -259,7 +259,7 @@ const std::vector<Exclusion> excluded_pairs{
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
-    {heavier_on_one_side, motion, "section.plies",
+    {motion, heavier_on_one_side, "section.plies",
      "plies that are heavier on one side turn as they move in the plane, which is not carried in motion yet: make "
      "densities symmetric"},
     {coupled_section, lanczos, "analysis.method",
@@ -291,8 +291,6 @@ const std::vector<Exclusion> excluded_pairs{
     {axial_stiffener, frequencies, "analysis.kind", axial_at_rest},
     {axial_stiffener, harmonic, "analysis.kind", axial_at_rest},
     {axial_stiffener, buckling, "analysis.kind", axial_at_rest},
-    {axial_stiffener, large_deflections, "analysis.nonlinear",
-     "axial forces of stiffeners do not bear on deflections yet: remove it, or stiffener[].axial"},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
     {processes, buckling, "analysis.kind", by_one_process("\"buckling\" cannot be run")},

@@ -1,6 +1,7 @@
 // Plates whose bending and stretching are coupled: uniform states of plies that are not symmetric, Navier's solution of
 // an antisymmetric cross-ply plate, a beam with a rib on one side.
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -10,7 +11,11 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/solve/coupled_plate.hpp"
+#include "plate/solve/large_deflections.hpp"
 #include "plate/solve/matrices/point_matrix.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/initial_conditions.hpp"
+#include "plate/solve/motion/stretched_motion.hpp"
 #include "post/files/sinks.hpp"
 #include "post/files/summary.hpp"
 #include "tests/dense.hpp"
@@ -225,9 +230,9 @@ TEST_CASE("coupled sections: symmetric plies are not coupled, and have no plane 
 namespace {
 
 /// Navier's solution of the laminate of first order (Reddy 2004, 7.4.2) of an antisymmetric cross-ply rectangle a x b:
-/// SS-1, v = w = phi_y = 0 on x = 0, a and u = w = phi_x = 0 on y = 0, b. Amplitudes of u, v, w, phi_x, phi_y under
-/// q sin(m pi x / a) sin(n pi y / b).
-Eigen::Matrix<double, 5, 1> navier(const Section& section, double a, double b, int m, int n, double q) {
+/// SS-1, v = w = phi_y = 0 on x = 0, a and u = w = phi_x = 0 on y = 0, b. The stiffness of the amplitudes of u, v, w,
+/// phi_x, phi_y with sin(m pi x / a) sin(n pi y / b).
+Eigen::Matrix<double, 5, 5> navier_stiffness(const Section& section, double a, double b, int m, int n) {
   const Matrix6 K = laminate(section);
   const auto A = [&](int i, int j) { return K(i, j); };
   const auto B = [&](int i, int j) { return K(i, 3 + j); };
@@ -248,10 +253,14 @@ Eigen::Matrix<double, 5, 1> navier(const Section& section, double a, double b, i
   S(2, 2) = S55 * x * x + S44 * y * y, S(2, 3) = S55 * x, S(2, 4) = S44 * y;
   S(3, 3) = D(0, 0) * x * x + D(2, 2) * y * y + S55, S(3, 4) = (D(0, 1) + D(2, 2)) * x * y;
   S(4, 4) = D(2, 2) * x * x + D(1, 1) * y * y + S44;
-  const Eigen::Matrix<double, 5, 5> all = S.selfadjointView<Eigen::Upper>();
+  return S.selfadjointView<Eigen::Upper>();
+}
+
+/// The amplitudes under q sin(m pi x / a) sin(n pi y / b).
+Eigen::Matrix<double, 5, 1> navier(const Section& section, double a, double b, int m, int n, double q) {
   Eigen::Matrix<double, 5, 1> right;
   right << 0, 0, q, 0, 0;
-  return all.inverse() * right;
+  return navier_stiffness(section, a, b, m, n).inverse() * right;
 }
 
 }  // namespace
@@ -454,4 +463,164 @@ kind = "static"
                   << (bending + in_plane) / released - 1);
   CHECK(in_plane > 0.05 * bending);
   CHECK(bending + in_plane == Approx(released).epsilon(0.005));  // measured: -0.21 %
+}
+
+namespace {
+
+/// A strip 1 x 0.1, turned with its plies [0/90], in cylindrical bending under a pressure: its ends are held and turn
+/// freely.
+cases::Case cylindrical(double q, double degrees) {
+  const Eigen::Rotation2Dd turn(degrees * pi / 180);
+  auto c = rectangle(of_plies({ply(degrees, 0.01), ply(90 + degrees, 0.01)}), 1, 0.1, 0.025);
+  for (auto& x : c.outline.outer.vertices) x = turn * x;
+  c.supports = {vp::held(SupportKind::simply_supported, {"left", "right"}),
+                vp::held(SupportKind::symmetry, {"bottom", "top"})};
+  c.supports[0].in_plane = InPlane::fixed, c.supports[1].in_plane = InPlane::normal;
+  c.loads = {Load{Pressure{.value = q}}};
+  c.stretches = true;
+  return c;
+}
+
+LargeDeflections curved(const Discretised& plates) {
+  return StretchedPlate(*plates.plate, *plates.membrane)
+      .equilibrium({plates.plate->total_load(), plates.membrane->total_load()}, {1e-8, {}});
+}
+
+}  // namespace
+
+TEST_CASE("coupled sections: a held strip follows the exact large deflections, which differ by the side of the load") {
+  // own closed solution for a given N, whose strains close between the ends: deflection in thicknesses, and N
+  for (const auto& [q, deflection, force] : {std::tuple{0.05, 1.367411, 0.246361}, {-0.05, -0.859024, 0.261108}})
+    for (const double degrees : {0.0, 27.0}) {
+      const auto plates = discretise(cylindrical(q, degrees));
+      const auto found = curved(plates);
+      REQUIRE(found.converged);
+      const Point middle = Eigen::Rotation2Dd(degrees * pi / 180) * Point(0.5, 0.05);
+      const double w = at(*plates.plate, found.bending, middle) / 0.02;
+      const double N = found.membrane_forces.topRows<2>().colwise().sum().mean();
+      const double balance = found.external_work / found.strain_energy() - 1;
+      INFO("q " << q << ", " << degrees << " degrees: w " << w / deflection - 1 << ", N " << N << ", work " << balance);
+      CHECK(w == Approx(deflection).epsilon(0.005));
+      CHECK(std::abs(balance) < 0.005);
+      CHECK(N > force);
+      CHECK(std::abs(found.coupling_energy) > 0.01 * found.strain_energy());
+    }
+}
+
+TEST_CASE("a held strip with a rib follows the exact large deflections of the composite beam") {
+  // the same solution with the stiffness of plate and rib, without shear: deflection in thicknesses by q
+  for (const auto& [eccentricity, q, deflection] :
+       {std::tuple{0.02, 0.1, 2.263824}, {0.02, -0.1, -2.956248}, {0.0, 0.1, 2.626366}}) {
+    auto c = cylindrical(q, 0);
+    c.section = {1000, 0.3, 0.02, 5.0 / 6, 2};
+    c.discretization.spacing = 0.0125;
+    Stiffener rib;
+    rib.along = {Point(0, 0.05), Point(1, 0.05)};
+    rib.axial = 1, rib.bending = 1e-5, rib.eccentricity = eccentricity;
+    c.stiffeners = {rib};
+    const auto plates = discretise(c);
+    const auto found = curved(plates);
+    REQUIRE(found.converged);
+    const double w = at(*plates.plate, found.bending, {0.5, 0.05}) / 0.02;
+    const double balance = found.external_work / found.strain_energy() - 1;
+    INFO("e " << eccentricity << ", q " << q << ": w " << w / deflection - 1 << ", work " << balance);
+    CHECK(w == Approx(deflection).epsilon(0.01));
+    CHECK(std::abs(balance) < 0.005);
+  }
+}
+
+TEST_CASE("coupled sections: without B large deflections are those of the uncoupled plate") {
+  const auto run = [](double density) {
+    auto c = cylindrical(0.05, 0);
+    c.section = of_plies({ply(0, 0.005), ply(90, 0.01), ply(0, 0.005)});
+    c.section.plies[0].density = density;  // heavier on one side: coupled by its mass alone
+    REQUIRE(c.coupled() == (density != 2));
+    const auto plates = discretise(c);
+    return curved(plates);
+  };
+  const auto coupled = run(3), alone = run(2);
+  CHECK((coupled.bending - alone.bending).norm() < 1e-10 * alone.bending.norm());
+  CHECK((coupled.membrane - alone.membrane).norm() < 1e-9 * alone.membrane.norm());
+  CHECK(std::abs(coupled.coupling_energy) < 1e-12 * alone.strain_energy());
+}
+
+namespace {
+
+/// A [0/90] square, SS-1, and its plane, that move.
+struct MovingLaminate {
+  Section section = of_plies({ply(0, 0.05), ply(90, 0.05)});
+  Discretised plates;
+  StretchedMotion both;
+
+  static cases::Case made(const Section& section, double amplitude, bool large) {
+    auto c = rectangle(section, 1, 1, 0.05);
+    c.supports = {vp::held_all_round(SupportKind::simply_supported_hard)};
+    c.supports[0].in_plane = InPlane::tangential;
+    c.initial = cases::Initial{Formula(fmt::format("{} * sin(pi * x) * sin(pi * y)", amplitude)), {}};
+    c.stretches = large;
+    return c;
+  }
+  MovingLaminate(double amplitude, bool large)
+      : plates(discretise(made(section, amplitude, large))), both(*plates.plate, *plates.membrane, 1) {}
+
+  struct Found {
+    double frequency = 0, drift = 0;  // drift: of the energy, relative
+  };
+  /// Lets go of sin(pi x) sin(pi y) over a duration.
+  Found vibrate(double duration) const {
+    const auto begin = begin_of_motion(*plates.plate, 1);
+    DynamicOptions options;
+    options.steps = std::size_t(std::ceil(duration / (0.9 * stable_time_step(*plates.plate, *plates.membrane, 1))));
+    options.time_step = duration / double(options.steps);
+    options.start = both.deflected(begin.deflected), options.bent = true;
+    options.given = begin.given + both.energy_in_plane(options.start);
+    if (both.stretching()) options.strain_energy = [&](const State& state) { return both.strain_energy(state); };
+    Found result;
+    std::vector<double> zeros;
+    double before = 0, time_before = 0, first = 0;
+    const auto see = [&](const Instant& now) {
+      const double w = at(*plates.plate, of_plate(now.state), {0.5, 0.5});
+      if (now.step > 0 && w * before < 0)
+        zeros.push_back(time_before + (now.time - time_before) * before / (before - w));
+      before = w, time_before = now.time;
+      const double energy = now.strain_energy + now.discrete_kinetic_energy;
+      if (now.step == 0) first = energy;
+      result.drift = std::max(result.drift, std::abs(energy / first - 1));
+    };
+    central_differences(both, both.constraints(), both.mass(), both.loads(), options, see);
+    REQUIRE(zeros.size() > 4);
+    result.frequency = pi * double(zeros.size() - 1) / (zeros.back() - zeros.front());
+    return result;
+  }
+};
+
+/// Lowest circular frequency of the square by Navier's solution.
+double navier_frequency(const Section& section) {
+  Eigen::Matrix<double, 5, 1> mass = Eigen::Matrix<double, 5, 1>::Constant(2 * section.thickness);
+  mass.tail<2>().setConstant(2 * std::pow(section.thickness, 3) / 12);
+  const Eigen::Matrix<double, 5, 5> M = mass.asDiagonal(), S = navier_stiffness(section, 1, 1, 1, 1);
+  return std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>>(S, M).eigenvalues()[0]);
+}
+
+}  // namespace
+
+TEST_CASE("coupled sections: a [0/90] square vibrates at Navier's frequency, at the same one with small large ones") {
+  const MovingLaminate linear(1e-5, false), large(1e-5, true);
+  const double exact = navier_frequency(linear.section), duration = 8 * 2 * pi / exact;
+  const auto found = linear.vibrate(duration), curved = large.vibrate(duration);
+  INFO("linear " << found.frequency / exact - 1 << ", drift " << found.drift << "; large "
+                 << curved.frequency / found.frequency - 1 << ", drift " << curved.drift);
+  CHECK(found.frequency == Approx(exact).epsilon(0.01));
+  CHECK(curved.frequency == Approx(found.frequency).epsilon(1e-4));
+  CHECK(found.drift < 1e-9);
+  CHECK(curved.drift < 1e-3);
+}
+
+TEST_CASE("coupled sections: in large vibrations energy stays") {
+  const MovingLaminate large(0.1, true);
+  const double exact = navier_frequency(large.section);
+  const auto found = large.vibrate(4 * 2 * pi / exact);
+  INFO("frequency " << found.frequency / exact << " of the linear one, drift " << found.drift);
+  CHECK(found.frequency > 1.05 * exact);
+  CHECK(found.drift < 0.01);
 }
