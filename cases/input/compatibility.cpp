@@ -362,7 +362,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
   const bool in_plane = any_load([](const auto& load) { return load.in_plane(); });
   add(in_plane, load_in_plane);
-  add(in_plane && moves, motion_in_plane);
+  add((in_plane || content.coupled()) && moves, motion_in_plane);
   add(in_plane && a.kind == Kind::frequencies, stressed_frequencies);
   add(in_plane && content.growth, growth_in_plane);
   add(a.nonlinear, large_deflections);

@@ -564,7 +564,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
     sum = {zero, plate::no_state(), zero, {}};
     if (!in_plane || !in_plane->acts)
       warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
-    else if (largest > 0 && !coupled_)
+    else if (largest > 0 && !content().coupled())
       warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
   sum.in_plane = std::move(in_plane);

@@ -119,11 +119,7 @@ std::vector<Sample> samples_of_stiffeners() {
     return {{"stiffener", "[{ along = [[0.2, 0.2], [0.8, 0.2]], axial = 1" + more + " }]"},
             {"discretization.formulation", "galerkin"}};
   };
-  const Settings heavy{{"section.plies",
-                        "[{ E1 = 1, E2 = 1, nu12 = 0.3, G12 = 1, G13 = 1, G23 = 1, thickness = 0.05, density = 1 }, "
-                        "{ E1 = 1, E2 = 1, nu12 = 0.3, G12 = 1, G13 = 1, G23 = 1, thickness = 0.05, density = 2 }]"},
-                       {"discretization.formulation", "galerkin"}};
-  return {{coupled_section, rib(", eccentricity = 0.1")}, {axial_stiffener, rib("")}, {heavier_on_one_side, heavy}};
+  return {{coupled_section, rib(", eccentricity = 0.1")}, {axial_stiffener, rib("")}};
 }
 
 /// The case with what some samples ask for; nothing where two of them ask for different values of a key.
