@@ -102,10 +102,12 @@ constexpr const char* equilibria =
 constexpr const char* settlements = "load[].kind";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
 constexpr const char* coupled_at_rest =
-    "bending and stretching that are coupled are found at rest only yet: choose \"static\", make plies symmetric, or "
-    "remove stiffener[].eccentricity";
+    "bending and stretching that are coupled are found at rest and in motion only yet: choose \"static\" or "
+    "\"dynamic\", make plies symmetric, or remove stiffener[].eccentricity";
 constexpr const char* axial_at_rest =
-    "the axial stiffness of stiffeners acts at rest only yet: choose \"static\", or remove stiffener[].axial";
+    "the axial stiffness of stiffeners acts at rest and in motion only yet: choose \"static\" or \"dynamic\", or "
+    "remove "
+    "stiffener[].axial";
 constexpr const char* of_uncoupled =
     "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
