@@ -106,8 +106,7 @@ constexpr const char* coupled_at_rest =
     "\"dynamic\", make plies symmetric, or remove stiffener[].eccentricity";
 constexpr const char* axial_at_rest =
     "the axial stiffness of stiffeners acts at rest and in motion only yet: choose \"static\" or \"dynamic\", or "
-    "remove "
-    "stiffener[].axial";
+    "remove stiffener[].axial";
 constexpr const char* of_uncoupled =
     "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
