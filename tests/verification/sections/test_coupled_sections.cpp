@@ -507,12 +507,15 @@ TEST_CASE("coupled sections: a held strip follows the exact large deflections, w
       REQUIRE(found.converged);
       const Point middle = Eigen::Rotation2Dd(degrees * pi / 180) * Point(0.5, 0.05);
       const double w = at(*plates.plate, found.bending, middle) / 0.02;
-      const double N = found.membrane_forces.topRows<2>().colwise().sum().mean();
+      const Point along = Eigen::Rotation2Dd(degrees * pi / 180) * Point(1, 0);
+      const Eigen::Vector3d mean = found.membrane_forces.rowwise().mean();
+      const double N =
+          mean[0] * along.x() * along.x() + mean[1] * along.y() * along.y() + 2 * mean[2] * along.x() * along.y();
       const double balance = found.external_work / found.strain_energy() - 1;
       INFO("q " << q << ", " << degrees << " degrees: w " << w / deflection - 1 << ", N " << N << ", work " << balance);
-      CHECK(w == Approx(deflection).epsilon(0.005));
-      CHECK(std::abs(balance) < 0.005);
-      CHECK(N > force);
+      CHECK(w == Approx(deflection).epsilon(0.005));  // measured with 80 points: 0.05, 0.08 %
+      CHECK(std::abs(balance) < 0.01);                // measured: -0.41, -0.01 %
+      CHECK(N == Approx(force).epsilon(0.005));
       CHECK(std::abs(found.coupling_energy) > 0.01 * found.strain_energy());
     }
 }
@@ -534,8 +537,8 @@ TEST_CASE("a held strip with a rib follows the exact large deflections of the co
     const double w = at(*plates.plate, found.bending, {0.5, 0.05}) / 0.02;
     const double balance = found.external_work / found.strain_energy() - 1;
     INFO("e " << eccentricity << ", q " << q << ": w " << w / deflection - 1 << ", work " << balance);
-    CHECK(w == Approx(deflection).epsilon(0.01));
-    CHECK(std::abs(balance) < 0.005);
+    CHECK(w == Approx(deflection).epsilon(0.01));  // measured: 0.38, 0.10 %
+    CHECK(std::abs(balance) < 0.005);              // measured: 0.02 %
   }
 }
 
@@ -566,7 +569,7 @@ struct MovingLaminate {
     auto c = rectangle(section, 1, 1, 0.05);
     c.supports = {vp::held_all_round(SupportKind::simply_supported_hard)};
     c.supports[0].in_plane = InPlane::tangential;
-    c.initial = cases::Initial{Formula(fmt::format("{} * sin(pi * x) * sin(pi * y)", amplitude)), {}};
+    c.initial = Initial{Formula(fmt::format("{} * sin(pi * x) * sin(pi * y)", amplitude)), {}};
     c.stretches = large;
     return c;
   }
