@@ -623,7 +623,7 @@ TEST_CASE("coupled sections: a [0/90] square vibrates at Navier's frequency, at 
   const auto found = linear.vibrate(duration), curved = large.vibrate(duration);
   INFO("linear " << found.frequency / exact - 1 << ", drift " << found.drift << "; large "
                  << curved.frequency / found.frequency - 1 << ", drift " << curved.drift);
-  CHECK(found.frequency == Approx(exact).epsilon(0.01));
+  CHECK(found.frequency == Approx(exact).epsilon(0.006));  // measured: -0.35 %
   CHECK(curved.frequency == Approx(found.frequency).epsilon(1e-4));
   CHECK(found.drift < 1e-9);
   CHECK(curved.drift < 1e-3);
@@ -634,7 +634,7 @@ TEST_CASE("coupled sections: in large vibrations energy stays") {
   const double exact = navier_frequency(large.section);
   const auto found = large.vibrate(4 * 2 * pi / exact);
   INFO("frequency " << found.frequency / exact << " of the linear one, drift " << found.drift);
-  CHECK(found.frequency > 1.05 * exact);
+  CHECK(found.frequency > 1.05 * exact);  // measured: 1.11
   CHECK(found.drift < 0.01);
 }
 
