@@ -569,6 +569,7 @@ struct MovingLaminate {
     auto c = rectangle(section, 1, 1, 0.05);
     c.supports = {vp::held_all_round(SupportKind::simply_supported_hard)};
     c.supports[0].in_plane = InPlane::tangential;
+    c.loads.clear();
     c.initial = Initial{Formula(fmt::format("{} * sin(pi * x) * sin(pi * y)", amplitude)), {}};
     c.stretches = large;
     return c;
