@@ -30,12 +30,11 @@ public:
   ~CoupledPlate();
 
   /// @throws NumericalError  where a number is not finite
+  CoupledEquilibrium equilibrium(const PlateLoads& loads, const StaticOptions& options) const;
+  std::size_t factor_bytes() const;
   /// The linear stiffness of stacked states, with its coupling(); all three must outlive it.
   static std::unique_ptr<const Operator> stiffness(const Formulation& plate, const Formulation& membrane,
                                                    const PointMatrix& coupling);
-
-  CoupledEquilibrium equilibrium(const PlateLoads& loads, const StaticOptions& options) const;
-  std::size_t factor_bytes() const;
 
 private:
   class Both;
