@@ -42,6 +42,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
     {coupled_section, "plies that are not symmetric, or a stiffener with `eccentricity`"},
+    {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
     {factors_to_accuracy, "`srif.accuracy`"},
     {richardson, "`srif.richardson`"},
@@ -101,13 +102,9 @@ constexpr const char* equilibria =
     "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
-constexpr const char* coupled_at_rest =
-    "bending and stretching that are coupled are found at rest, for frequencies and buckling only yet: choose "
-    "\"static\", make plies symmetric, or remove stiffener[].eccentricity";
-constexpr const char* axial_at_rest =
-    "the axial stiffness of stiffeners acts at rest, for frequencies and buckling only yet: choose \"static\", or "
-    "remove "
-    "stiffener[].axial";
+constexpr const char* coupled_elsewhere =
+    "bending and stretching that are coupled are found at rest, in motion by steps, for frequencies and buckling only: "
+    "choose another kind, make plies symmetric, or remove stiffener[].eccentricity";
 constexpr const char* of_uncoupled =
     "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
@@ -265,11 +262,14 @@ const std::vector<Exclusion> excluded_pairs{
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},
-    {coupled_section, motion, "analysis.kind", coupled_at_rest},
-    {coupled_section, harmonic, "analysis.kind", coupled_at_rest},
-    {coupled_section, large_deflections, "analysis.nonlinear",
-     "plates whose bending and stretching are coupled are linear yet: remove it, make plies symmetric, or remove "
-     "stiffener[].eccentricity"},
+    {motion, heavier_on_one_side, "section.plies",
+     "plies that are heavier on one side turn as they move in the plane, which is not carried in motion yet: make "
+     "densities symmetric"},
+    {coupled_section, lanczos, "analysis.method",
+     "\"lanczos\" moves plates that bend alone, and bending and stretching are coupled; choose \"central_difference\""},
+    {coupled_section, stiffness_damping, "analysis.damping",
+     "damping by the stiffness does not act in the plane yet: give mass alone"},
+    {coupled_section, harmonic, "analysis.kind", coupled_elsewhere},
     {coupled_section, touching_faces, "cracks.contact",
      "contact is found where only faces that touch couple bending and stretching: remove it, or "
      "stiffener[].eccentricity"},
@@ -289,9 +289,6 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, richardson, "srif.richardson", of_uncoupled},
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
     {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
-    {axial_stiffener, motion, "analysis.kind", axial_at_rest},
-    {axial_stiffener, large_deflections, "analysis.nonlinear",
-     "axial forces of stiffeners do not bear on deflections yet: remove it, or stiffener[].axial"},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
     {processes, buckling, "analysis.kind", by_one_process("\"buckling\" cannot be run")},
@@ -363,7 +360,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
   const bool in_plane = any_load([](const auto& load) { return load.in_plane(); });
   add(in_plane, load_in_plane);
-  add(in_plane && moves, motion_in_plane);
+  add((in_plane || content.coupled()) && moves, motion_in_plane);
   add(in_plane && a.kind == Kind::frequencies, stressed_frequencies);
   add(in_plane && content.growth, growth_in_plane);
   add(a.nonlinear, large_deflections);
@@ -381,6 +378,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
   add(content.coupled(), coupled_section);
+  add(content.section.heavier_on_one_side(), heavier_on_one_side);
   add(std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches), axial_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);

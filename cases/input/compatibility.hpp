@@ -41,6 +41,7 @@ enum class Part {
   varied_section,
   directed_section,
   coupled_section,
+  heavier_on_one_side,
   axial_stiffener,
   factors_to_accuracy,
   richardson,

@@ -172,7 +172,7 @@ private:
 plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step) const {
   const auto number = double(found_.size() + 1);
   if (const auto& curved = now.curved)
-    return {step, number, now.state, {}, 0, curved->external_work, curved->bending_energy + curved->membrane_energy};
+    return {step, number, now.state, {}, 0, curved->external_work, curved->strain_energy()};
   if (const auto& both = now.coupled) {
     const double work = post::slow_work(plate_, now.load, now.state) +
                         post::slow_work(*ready_.membrane, now.in_plane->load, both->membrane);
@@ -265,7 +265,7 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   const auto where = fmt::format("in the plane, {}", one.name);
   const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
   if (known.curved) {
-    auto result = membrane_results(membrane, *known.curved, now.load, now.heat, wanted, where);
+    auto result = membrane_results(plate_, membrane, *known.curved, now.load, now.heat, wanted, where);
     factors_in_plane_.push_back(result.factors);
     return result;
   }
@@ -578,7 +578,7 @@ void LoadCases::combine(const plate::Combination& combination, const std::vector
     sum = {zero, plate::no_state(), zero, {}};
     if (!in_plane || !in_plane->acts)
       warnings_.push_back(fmt::format("combination {}: its loads cancel, the plate stays at rest", combination.name));
-    else if (largest > 0 && !coupled_)
+    else if (largest > 0 && !content().coupled())
       warnings_.push_back(fmt::format("combination {}: its loads along w cancel, it does not bend", combination.name));
   }
   sum.in_plane = std::move(in_plane);

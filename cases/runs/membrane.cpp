@@ -110,14 +110,26 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   return result;
 }
 
-MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
-                                const plate::Forces& in_plane, const plate::Heat& heat,
-                                const MembraneFactorsWanted& wanted, const std::string& where) {
+void couple(MembraneResult& result, const plate::Formulation& plate, const plate::Formulation& membrane,
+            const StatesOfBoth& states, const Eigen::Matrix3Xd& strains) {
+  if (!plate.section().couples()) return;
+  result.of_both = plate.resultants(states.bending), result.forces = membrane.resultants(states.membrane);
+  const auto points = result.forces.moments.cols();
+  result.forces.moments += plate::LocalSection(membrane.section()).bending * strains.leftCols(points);
+  plate::couple(*result.of_both, result.forces, plate.section());
+  result.fields.force = result.forces.moments;
+}
+
+MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const plate::LargeDeflections& found, const plate::Forces& in_plane,
+                                const plate::Heat& heat, const MembraneFactorsWanted& wanted,
+                                const std::string& where) {
   auto result =
       membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, heat, wanted, where, &found.stretch);
   result.forces.moments = found.membrane_forces;
   plate::relieve(result.forces, membrane.section(), heat);
   result.fields.force = result.forces.moments;
+  couple(result, plate, membrane, {found.bending, found.membrane}, found.stretch.strains);
   result.stored += found.stored_by_deflections;
   result.summary.strain_energy = found.membrane_energy + result.stored;
   result.summary.external_work = found.external_work + result.stored;
@@ -132,10 +144,7 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
   result.summary.strain_energy = found.stretching_energy;
   result.summary.external_work = post::slow_work(membrane, loads.in_plane, found.membrane);
   result.summary.residual = found.of_both.residual;
-  if (!plate.section().couples()) return result;
-  result.of_both = plate.resultants(found.bending);
-  plate::couple(*result.of_both, result.forces, plate.section());
-  result.fields.force = result.forces.moments;
+  couple(result, plate, membrane, {found.bending, found.membrane}, Eigen::Matrix3Xd::Zero(3, found.bending.cols()));
   return result;
 }
 
@@ -174,8 +183,7 @@ std::vector<std::string> warnings_about(const plate::LargeDeflections& found, do
   }
   if (!found.steps.empty() && !found.steps.back().stable)
     lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
-  const double strain = found.bending_energy + found.membrane_energy,
-               apart = std::abs(found.external_work - strain) / (strain + stored);
+  const double strain = found.strain_energy(), apart = std::abs(found.external_work - strain) / (strain + stored);
   if (strain > rounding * stored && !found.snapped() && apart > coarse)
     lines.push_back(
         fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "

@@ -77,12 +77,21 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
                            const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
                            plate::StaticResult& bending);
 
+/// States of a plate and of its plane.
+struct StatesOfBoth {
+  const plate::State &bending, &membrane;
+};
+/// Completes moments and membrane forces of a section that couples, where the middle plane has these strains by the
+/// deflections [3 x points]; of other sections nothing changes.
+void couple(MembraneResult& result, const plate::Formulation& plate, const plate::Formulation& membrane,
+            const StatesOfBoth& states, const Eigen::Matrix3Xd& strains);
+
 /// Results in the plane of an equilibrium with large deflections, with the strains that the deflections add.
 /// `in_plane`: the load there, with `heat`; `where`: in messages.
 /// @throws plate::NumericalError  a number is not finite
-MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
-                                const plate::Forces& in_plane, const plate::Heat& heat,
-                                const MembraneFactorsWanted& wanted, const std::string& where);
+MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const plate::LargeDeflections& found, const plate::Forces& in_plane,
+                                const plate::Heat& heat, const MembraneFactorsWanted& wanted, const std::string& where);
 
 /// Results in the plane of an equilibrium of a plate whose bending and stretching are coupled.
 /// @throws plate::NumericalError  a number is not finite

@@ -78,14 +78,15 @@ MembraneResult StretchedMotionRun::in_plane(const plate::Instant& both, bool las
     acceleration += damping->mass * plate::of_plane(both.velocity());
   plate::Forces load = both_.load_in_plane(both.time);
   load -= plate::of_plane(both_.unconstrained_mass()).cwiseProduct(acceleration);
-  const auto* stretching = both_.stretching();
   std::optional<plate::Stretch> stretch;
-  if (stretching) stretch = stretching->stretch(bending), load += stretch->forces;
+  if (both_.act_on_each_other()) stretch = both_.stretch(bending), load += stretch->forces;
   auto result = membrane_results(membrane_, membrane, load, plate::heat_at(membrane_, both.time),
                                  {content().srif, ready_.membrane_methods, last, &largest_in_plane_}, "in the plane",
                                  stretch ? &*stretch : nullptr);
-  if (stretching) result.forces.moments = result.fields.force = stretching->membrane_forces(bending, membrane);
-  result.summary.strain_energy = both_.energy_in_plane(both.state) + result.stored;
+  if (const auto* stretching = both_.stretching())
+    result.forces.moments = result.fields.force = stretching->membrane_forces(bending, membrane);
+  if (stretch) couple(result, plate_, membrane_, {bending, membrane}, stretch->strains);
+  result.summary.strain_energy = both_.energy_in_plane(both.state) - both_.coupling_energy(both.state) + result.stored;
   result.summary.external_work = both.external_work + result.stored;
   return result;
 }
@@ -111,12 +112,10 @@ void StretchedMotionRun::observe(const plate::Instant& both) {
                      .contact_force = both.contact_force,
                      .faces = both.faces,
                      .contact_so_far = both.contact_so_far};
-  plate::Forces on_bending, on_membrane;
-  if (const auto* stretching = both_.stretching()) {
-    stretching->internal_force(bending, plate::of_plane(both.state), on_bending, on_membrane);
-    now.stretched = &on_bending;
+  plate::Forces on_bending;
+  if (both_.act_on_each_other()) on_bending = both_.on_bending(both.state), now.stretched = &on_bending;
+  if (both_.stretching())
     largest_rotation_ = std::max(largest_rotation_, bending.bottomRows(2).colwise().norm().maxCoeff());
-  }
   if (both.faces) touch(both);
   results_.in_plane(membrane_, in_plane(both, last));
   results_.sample(now, last);
@@ -139,12 +138,13 @@ void StretchedMotionRun::touch(const plate::Instant& both) {
 void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Instant& now, bool last) {
   auto& summary = this->summary();
   summary.analysis.steps = now.step;
-  const double stretching = summary.membrane->strain_energy;
+  const double stretching = summary.membrane->strain_energy, coupling = both_.coupling_energy(both.state);
   summary.energy = {{"strain", results_.strain_energy()},
-                    {"bending", results_.strain_energy() - stretching},
+                    {"bending", results_.strain_energy() - stretching - coupling},
                     {"stretching", stretching},
                     {"kinetic", now.kinetic_energy},
                     {"external_work", results_.external_work()}};
+  if (content().coupled()) summary.energy.emplace_back("coupling", coupling);
   add_elastic_support_energy(plate_, now.state, summary);
   if (content().analysis.damping || now.faces) summary.energy.emplace_back("dissipated", now.dissipated);
   if (now.faces) summary.energy.emplace_back("contact", now.contact_so_far.lost);

@@ -77,10 +77,9 @@ void LargeDeflectionRun::solve() {
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
   summary.load_steps = load_steps(found.steps, analysis.control);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  auto in_plane = membrane_results(membrane, found, membrane.total_load(), heat,
+  auto in_plane = membrane_results(plate_, membrane, found, loads.in_plane, heat,
                                    {content().srif, ready_.membrane_methods}, "in the plane");
-  const double strain = found.bending_energy + found.membrane_energy + in_plane.stored,
-               work = found.external_work + in_plane.stored;
+  const double strain = found.strain_energy() + in_plane.stored, work = found.external_work + in_plane.stored;
   plate::Instant end{found.iterations, 0, found.bending, {}, 0, work, strain, 0, 0};
   end.stretched = &found.on_bending;
   const double stretching = in_plane.summary.strain_energy, stored = in_plane.stored;
@@ -94,6 +93,7 @@ void LargeDeflectionRun::solve() {
                     {"bending", found.bending_energy + (results_.strain_energy() - strain)},
                     {"stretching", stretching},
                     {"external_work", results_.external_work()}};
+  if (content().coupled()) summary.energy.emplace_back("coupling", found.coupling_energy);
   if (strain == 0 && found.converged)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
   outputs_.warn(warnings_about(found, stored));

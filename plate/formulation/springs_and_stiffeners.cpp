@@ -129,6 +129,28 @@ void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tes
   for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, law, a, b, sum); });
 }
 
+std::vector<AxialElement> axial_elements(const Problem& problem, const geometry::Tessellation& cells) {
+  std::vector<AxialElement> result;
+  const auto terms_of = [](const Sum& form) {
+    std::vector<FormTerm> terms;
+    for (const auto& [dof, factor] : form)
+      if (factor != 0) terms.push_back({dof, factor});
+    return terms;
+  };
+  for (const auto& beam : problem.stiffeners) {
+    if (!beam.stretches()) continue;
+    for_elements(beam, cells, [&](const Node& a, const Node& b) {
+      const Point way = b.at - a.at, along = way.normalized();
+      Sum pull, rise;
+      add_slope(b, along, -1, pull), add_slope(a, along, 1, pull);  // (u, v) = -psi of the plane
+      for (const auto& [k, share] : b.shares) rise[dof(k, 0)] += share;
+      for (const auto& [k, share] : a.shares) rise[dof(k, 0)] -= share;
+      result.push_back({beam.axial / way.norm(), beam.eccentricity, way.norm(), terms_of(pull), terms_of(rise)});
+    });
+  }
+  return result;
+}
+
 std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells, int power) {
   std::vector<double> result;
   for (const auto& beam : problem.stiffeners) {

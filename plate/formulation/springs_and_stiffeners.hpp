@@ -20,6 +20,17 @@ enum class PlateLaw;
 void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tessellation& cells,
                    ElasticSupportSum& sum);
 
+/// An element of the axis of a stiffener between two places, for slopes that stretch it.
+struct AxialElement {
+  double stiffness = 0;        // EA / length [force/length]
+  double eccentricity = 0;     // z of the axis [length]
+  double length = 0;           // [length]
+  std::vector<FormTerm> pull;  // elongation by a plane, or by rotations of the plate at z = 1
+  std::vector<FormTerm> rise;  // difference of the deflections of the ends
+};
+/// Elements of all stiffeners that act in the plane.
+std::vector<AxialElement> axial_elements(const Problem& problem, const geometry::Tessellation& cells);
+
 /// Mass of all stiffeners at every point times a power of the z of their axes [mass length^power]; empty where none has
 /// any.
 std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tessellation& cells, int power = 0);

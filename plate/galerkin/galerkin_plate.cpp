@@ -20,6 +20,7 @@
 #include "plate/galerkin/multigrid.hpp"
 #include "plate/galerkin/results.hpp"
 #include "plate/galerkin/stiffness.hpp"
+#include "plate/galerkin/stretched_stiffeners.hpp"
 #include "plate/galerkin/stretching.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
@@ -137,7 +138,13 @@ public:
   std::vector<FacePair> face_pairs() const override { return facing_points(cells_); }
   PointMatrix stiffness() const override { return stiffness_matrix(op_); }
   std::unique_ptr<Stretching> stretching() const override {
-    return std::make_unique<GalerkinStretching>(op_.families(), sections());
+    const auto& families = op_.families();
+    auto plane = std::make_unique<GalerkinStretching>(
+        families, sections(),
+        section().couples() ? std::optional(galerkin_coupling(families, section())) : std::nullopt);
+    auto beams = axial_elements(problem(), cells_);
+    if (beams.empty()) return plane;
+    return std::make_unique<StretchedStiffeners>(std::move(plane), std::move(beams));
   }
   std::unique_ptr<Formulation> middle_plane() const override {
     Stopwatch ignored;

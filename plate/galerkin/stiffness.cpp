@@ -206,15 +206,19 @@ PointMatrix stiffness_matrix(const GalerkinFamilies& all, const PointSections& s
   return result;
 }
 
-PointMatrix coupling_matrix(const GalerkinFamilies& families, const Section& section) {
+GalerkinCoupling galerkin_coupling(const GalerkinFamilies& families, const Section& section) {
   const auto by = [&](PlateLaw law) {
     Section result = section;
     result.law = law;
     return result;
   };
   const auto residual = [&](PlateLaw law) { return GalerkinStiffness(by(law), families.square(0)).bending_residual; };
-  return stiffness_matrix(families, PointSections(by(PlateLaw::coupling)),
-                          std::sqrt(residual(PlateLaw::bending) * residual(PlateLaw::membrane)));
+  return {PointSections(by(PlateLaw::coupling)), std::sqrt(residual(PlateLaw::bending) * residual(PlateLaw::membrane))};
+}
+
+PointMatrix coupling_matrix(const GalerkinFamilies& families, const Section& section) {
+  const auto coupling = galerkin_coupling(families, section);
+  return stiffness_matrix(families, coupling.sections, coupling.residual);
 }
 
 PointMatrix stiffness_matrix(const GalerkinOperator& plate) {

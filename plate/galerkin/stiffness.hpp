@@ -68,9 +68,17 @@ PointMatrix stiffness_matrix(const GalerkinOperator& plate);
 PointMatrix stiffness_matrix(const GalerkinFamilies& families, const PointSections& sections,
                              std::optional<double> residual = {});
 
-/// Derivatives of the energy by the rotations of a plate and by the displacements in its plane, symmetric: B in the
-/// place of D, and t_b such that the energy of bending, stretching and coupling is positive (theory.md, "Coupled
-/// sections"). `section`: of the plate that bends, the same everywhere.
+/// The coupling of a section that couples: B in the place of D, and t_c such that the energy of bending, stretching and
+/// coupling is positive.
+struct GalerkinCoupling {
+  PointSections sections;
+  double residual;
+};
+/// `section`: of the plate, the same everywhere, of any law.
+GalerkinCoupling galerkin_coupling(const GalerkinFamilies& families, const Section& section);
+
+/// Derivatives of the energy by the rotations of a plate and by the displacements in its plane, symmetric
+/// (theory.md, "Coupled sections"). `section`: of the plate that bends, the same everywhere.
 PointMatrix coupling_matrix(const GalerkinFamilies& families, const Section& section);
 
 }  // namespace plate

@@ -24,6 +24,8 @@ public:
   /// Takes the strains and forces of the family of point k.
   void find(const GalerkinFamilies& families, const PointSections& sections, std::size_t k, const State& bending,
             const State& membrane);
+  /// Adds what the coupling to the curvatures of the same state does to strains, forces and energy.
+  void couple(const GalerkinFamilies& families, const GalerkinCoupling& coupling, std::size_t k, const State& bending);
 
   /// Adds the forces of a free strain, the same in all directions, that is held.
   void hold(double free) { S_ -= free * stiffness_ * Eigen::Vector3d(1, 1, 0); }
@@ -37,8 +39,13 @@ public:
   const Eigen::Vector3d& forces() const { return S_; }
   /// Writes the derivatives of the energy by w, u, v of every member [members].
   void derivative(Eigen::Vector3d* by_members) const;
+  /// Writes the derivatives of the energy of coupling by the rotations theta_y, -theta_x of every member [members].
+  void couples(Point* by_members) const;
   /// Second derivatives of the energy [3 members x 3 members].
   const Eigen::MatrixXd& second_derivative();
+  /// Second derivatives of the energy of coupling by w, u, v (rows) and by rotations, which stand in the columns of u
+  /// and v [3 members x 3 members]. After second_derivative().
+  const Eigen::MatrixXd& second_derivative_of_coupling();
   /// Second derivative by two deflections alone, with the slopes at zero.
   double geometric(std::size_t i, std::size_t j) const;
 
@@ -47,6 +54,8 @@ private:
     Point n{0, 0}, residual{0, 0}, force{0, 0};
     double inverse = 0, slope = 0, mean_slope = 0;  // 1 / length, (w_j - w_k) / length, n . g
     Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
+    Point turn{0, 0}, couple{0, 0};  // residual of the rotations, and what the coupling does to it
+    Eigen::Matrix2d coupling = Eigen::Matrix2d::Zero();
   };
   void differentiate();
   /// Share of a member in the difference along bond b, over its length.
@@ -61,6 +70,10 @@ private:
   Eigen::Vector3d strain_{0, 0, 0}, S_{0, 0, 0};
   Eigen::Matrix3d stiffness_ = Eigen::Matrix3d::Zero();  // area times A
   Eigen::MatrixXd by_unknowns_, stressed_, second_;      // derivatives of the strains; times their stiffness
+  Eigen::MatrixXd of_coupling_;
+  bool coupled_ = false;
+  Eigen::Vector3d curvature_{0, 0, 0}, moment_{0, 0, 0};  // moment: area times B epsilon
+  Eigen::Matrix3d coupling_ = Eigen::Matrix3d::Zero();    // area times B
 };
 
 void Family::find(const GalerkinFamilies& families, const PointSections& sections, std::size_t k, const State& bending,
@@ -97,9 +110,32 @@ void Family::find(const GalerkinFamilies& families, const PointSections& section
   }
 }
 
+void Family::couple(const GalerkinFamilies& families, const GalerkinCoupling& coupling, std::size_t k,
+                    const State& bending) {
+  const auto family = families.families[k];
+  const Point own = displacement(bending, k);
+  Eigen::Matrix2d H = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 1; i < count_; ++i)
+    H += (displacement(bending, family[i - 1].neighbour) - own) * gradient_[i].transpose();
+  const Eigen::Matrix3d& B = coupling.sections[k].bending;
+  coupled_ = true, coupling_ = families.areas[k] * B;
+  curvature_ << H(0, 0), H(1, 1), H(0, 1) + H(1, 0);
+  moment_ = coupling_ * strain_, S_ += coupling_ * curvature_;
+  for (std::size_t i = 1; i < count_; ++i) {
+    auto& bond = bonds_[i];
+    bond.turn = (displacement(bending, family[i - 1].neighbour) - own) * bond.inverse - H * bond.n;
+    bond.coupling = families.of(k)[i - 1].share * coupling.residual * along(B, bond.n);
+    bond.couple = bond.coupling * bond.residual, bond.force += bond.coupling * bond.turn;
+  }
+}
+
+/// With coupling half of it is in the forces already.
 double Family::energy() const {
   double result = strain_.dot(S_) / 2;
   for (std::size_t b = 1; b < count_; ++b) result += bonds_[b].residual.dot(bonds_[b].force) / 2;
+  if (!coupled_) return result;
+  result += curvature_.dot(moment_) / 2;
+  for (std::size_t b = 1; b < count_; ++b) result += bonds_[b].turn.dot(bonds_[b].couple) / 2;
   return result;
 }
 
@@ -142,6 +178,18 @@ void Family::derivative(Eigen::Vector3d* by_members) const {
   }
 }
 
+void Family::couples(Point* by_members) const {
+  Eigen::Matrix2d M;
+  M << moment_[0], moment_[2], moment_[2], moment_[1];
+  for (std::size_t i = 0; i < count_; ++i) by_members[i].setZero();
+  for (std::size_t b = 1; b < count_; ++b) {
+    const auto& bond = bonds_[b];
+    M -= bond.couple * bond.n.transpose();
+    by_members[b] += bond.inverse * bond.couple, by_members[0] -= bond.inverse * bond.couple;
+  }
+  for (std::size_t i = 0; i < count_; ++i) by_members[i] += M * gradient_[i];
+}
+
 double Family::geometric(std::size_t i, std::size_t j) const {
   const Point &D = gradient_[i], &E = gradient_[j];
   double result = S_[0] * D.x() * E.x() + S_[1] * D.y() * E.y() + S_[2] * (D.x() * E.y() + D.y() * E.x());
@@ -165,16 +213,37 @@ const Eigen::MatrixXd& Family::second_derivative() {
   return second_;
 }
 
+const Eigen::MatrixXd& Family::second_derivative_of_coupling() {
+  stressed_.topRows<3>() = coupling_ * by_unknowns_.topRows<3>();
+  for (std::size_t b = 1; b < count_; ++b)
+    stressed_.middleRows<2>(Eigen::Index(2 * b + 1)) =
+        bonds_[b].coupling * by_unknowns_.middleRows<2>(Eigen::Index(2 * b + 1));
+  of_coupling_.noalias() = by_unknowns_.transpose() * stressed_;
+  return of_coupling_;
+}
+
+/// What families are found from. `coupling`: null where there is none.
+struct Stretched {
+  const GalerkinFamilies& families;
+  const PointSections& sections;
+  const GalerkinCoupling* coupling;
+  const State &bending, &membrane;
+
+  void find(std::size_t k, Family& family) const {
+    family.find(families, sections, k, bending, membrane);
+    if (coupling) family.couple(families, *coupling, k, bending);
+  }
+};
+
 /// Calls visit(family, k) for every point, from several threads.
 template <typename Visit>
-void for_each_family(const GalerkinFamilies& families, const PointSections& sections, const State& bending,
-                     const State& membrane, const Visit& visit) {
+void for_each_family(const Stretched& plate, const Visit& visit) {
 #pragma omp parallel
   {
     Family family;
 #pragma omp for schedule(static)
-    for (std::size_t k = 0; k < families.areas.size(); ++k) {
-      family.find(families, sections, k, bending, membrane);
+    for (std::size_t k = 0; k < plate.families.areas.size(); ++k) {
+      plate.find(k, family);
       visit(family, k);
     }
   }
@@ -188,8 +257,8 @@ struct Member {
 /// Adds the families to a matrix of which every thread has columns of its own, so that any number of threads gives the
 /// same bits. add(family, members, own): the members ascending; own(point): true of columns of this thread.
 template <typename Add>
-void add_families(const GalerkinFamilies& families, const PointSections& sections, const State& bending,
-                  const State& membrane, const Add& add) {
+void add_families(const Stretched& plate, const Add& add) {
+  const auto& families = plate.families;
   const auto points = families.areas.size();
 #pragma omp parallel
   {
@@ -203,7 +272,7 @@ void add_families(const GalerkinFamilies& families, const PointSections& section
       for (const auto& bond : families.families[k]) members.push_back({bond.neighbour, ++place});
       std::ranges::sort(members, {}, &Member::point);
       if (members.back().point < begin || members.front().point >= end) continue;
-      family.find(families, sections, k, bending, membrane);
+      plate.find(k, family);
       add(family, members, [&](std::uint32_t point) { return point >= begin && point < end; });
     }
   }
@@ -230,7 +299,7 @@ Eigen::Matrix3d of_rotations(const Eigen::Matrix2d& in_plane) {
 
 Eigen::VectorXd GalerkinStretching::energies(const State& bending, const State& membrane) const {
   Eigen::VectorXd result(bending.cols());
-  for_each_family(families_, sections_, bending, membrane,
+  for_each_family({families_, sections_, coupling(), bending, membrane},
                   [&](const Family& family, std::size_t k) { result[Eigen::Index(k)] = family.energy(); });
   return result;
 }
@@ -241,16 +310,26 @@ void GalerkinStretching::internal_force(const State& bending, const State& membr
   std::vector<std::size_t> first{0};
   for (std::size_t k = 0; k < families_.areas.size(); ++k) first.push_back(first.back() + f[k].size() + 1);
   std::vector<Eigen::Vector3d> found(first.back());
-  for_each_family(families_, sections_, bending, membrane,
-                  [&](const Family& family, std::size_t k) { family.derivative(found.data() + first[k]); });
+  std::vector<Point> turned(coupling_ ? first.back() : 0);
+  for_each_family({families_, sections_, coupling(), bending, membrane}, [&](const Family& family, std::size_t k) {
+    family.derivative(found.data() + first[k]);
+    if (coupling_) family.couples(turned.data() + first[k]);
+  });
   on_bending.setZero(unknowns_per_point, bending.cols());
   on_membrane.setZero(unknowns_per_point, membrane.cols());
 #pragma omp parallel for schedule(static)
   for (std::uint32_t k = 0; k < families_.areas.size(); ++k) {
-    Eigen::Vector3d sum = found[first[k]];
-    for (const auto& bond : f[k]) sum += found[first[bond.neighbour] + f[bond.neighbour].find(k) + 1];
+    const auto of_all = [&](const auto& of_members) {
+      auto sum = of_members[first[k]];
+      for (const auto& bond : f[k]) sum += of_members[first[bond.neighbour] + f[bond.neighbour].find(k) + 1];
+      return sum;
+    };
+    const Eigen::Vector3d sum = of_all(found);
     on_bending(0, k) = -sum[0];
     on_membrane(1, k) = sum[2], on_membrane(2, k) = -sum[1];
+    if (!coupling_) continue;
+    const Point couple = of_all(turned);
+    on_bending(1, k) = couple.y(), on_bending(2, k) = -couple.x();
   }
 }
 
@@ -282,8 +361,26 @@ PointMatrix GalerkinStretching::stiffness(const State& bending, const State& mem
         block(1, 0) -= of(row)(2, 0), block(2, 0) += of(row)(1, 0);
       }
     }
+    if (!coupling_) return;
+    const auto& coupled = family.second_derivative_of_coupling();
+    const auto of = [&](const Member& row, const Member& column) -> Eigen::Matrix3d {
+      return coupled.block(Eigen::Index(3 * row.place), Eigen::Index(3 * column.place), 3, 3);
+    };
+    for (const auto& column : members) {
+      if (!own(column.point)) continue;
+      auto at = result.first[column.point];
+      for (const auto& row : members) {
+        if (row.point < column.point) continue;
+        const auto by_slope = of(row, column), by_turn = of(column, row);
+        auto& block = to(at, row.point);
+        block(0, 1) -= by_slope(0, 2), block(0, 2) += by_slope(0, 1);
+        block(1, 0) -= by_turn(0, 2), block(2, 0) += by_turn(0, 1);
+      }
+      for (const auto& row : members)
+        to(at, points + row.point) += of_rotations(of(row, column).bottomRightCorner(2, 2));
+    }
   };
-  add_families(families_, sections_, bending, membrane, add);
+  add_families({families_, sections_, coupling(), bending, membrane}, add);
   return result;
 }
 
@@ -308,7 +405,8 @@ PointMatrix geometric_stiffness_of(const GalerkinFamilies& families, const Point
       }
     }
   };
-  add_families(families, sections, zero_state(families.areas.size()), membrane, add);
+  const State flat = zero_state(families.areas.size());
+  add_families({families, sections, nullptr, flat, membrane}, add);
   return result;
 }
 
@@ -332,7 +430,7 @@ PointMatrix GalerkinStretching::stiffness_of_forces(const Eigen::Matrix3Xd& forc
 Stretch GalerkinStretching::stretch(const State& bending) const {
   const State flat = zero_like(bending);
   Stretch result{Eigen::Matrix3Xd(3, bending.cols()), {}};
-  for_each_family(families_, sections_, bending, flat,
+  for_each_family({families_, sections_, nullptr, bending, flat},
                   [&](const Family& family, std::size_t k) { result.strains.col(Eigen::Index(k)) = family.strains(); });
   Forces ignored;
   internal_force(bending, flat, ignored, result.forces);
@@ -341,7 +439,7 @@ Stretch GalerkinStretching::stretch(const State& bending) const {
 
 Eigen::Matrix3Xd GalerkinStretching::membrane_forces(const State& bending, const State& membrane) const {
   Eigen::Matrix3Xd result(3, bending.cols());
-  for_each_family(families_, sections_, bending, membrane, [&](const Family& family, std::size_t k) {
+  for_each_family({families_, sections_, coupling(), bending, membrane}, [&](const Family& family, std::size_t k) {
     result.col(Eigen::Index(k)) = family.forces() / families_.areas[k];
   });
   return result;

@@ -127,16 +127,24 @@ double Section::uniform_within(const Point& x) const {
 bool Section::couples() const {
   constexpr double rounding = 1e-9;
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero(), B = A;
+  double z = -thickness / 2;
+  for (const auto& ply : plies) {
+    A += ply.thickness * plane_stress(ply), B += integral(PlateLaw::coupling, z, ply.thickness) * plane_stress(ply);
+    z += ply.thickness;
+  }
+  return B.cwiseAbs().maxCoeff() > rounding * thickness * A.cwiseAbs().maxCoeff() || heavier_on_one_side();
+}
+
+bool Section::heavier_on_one_side() const {
+  constexpr double rounding = 1e-9;
   double mass = 0, first = 0;  // integrals of rho and rho z
   double z = -thickness / 2;
   for (const auto& ply : plies) {
-    const double along_z = integral(PlateLaw::coupling, z, ply.thickness), rho = ply.density.value_or(density);
-    A += ply.thickness * plane_stress(ply), B += along_z * plane_stress(ply);
-    mass += rho * ply.thickness, first += rho * along_z;
+    const double rho = ply.density.value_or(density);
+    mass += rho * ply.thickness, first += rho * integral(PlateLaw::coupling, z, ply.thickness);
     z += ply.thickness;
   }
-  return B.cwiseAbs().maxCoeff() > rounding * thickness * A.cwiseAbs().maxCoeff() ||
-         std::abs(first) > rounding * thickness * mass;
+  return std::abs(first) > rounding * thickness * mass;
 }
 
 double Section::first_moment() const {

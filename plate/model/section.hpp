@@ -59,6 +59,8 @@ struct Section {
   bool simple() const { return uniform() && isotropic(); }
   /// True where bending and stretching act on each other: plies whose stiffness or mass is not symmetric about z = 0.
   bool couples() const;
+  /// True where the mass of plies is not symmetric about z = 0.
+  bool heavier_on_one_side() const;
 
   /// The section at a place, the same everywhere.
   Section at(const geometry::Point& x) const;

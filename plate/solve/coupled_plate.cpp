@@ -78,6 +78,11 @@ private:
   const PointMatrix& coupling_;
 };
 
+std::unique_ptr<const Operator> CoupledPlate::stiffness(const Formulation& plate, const Formulation& membrane,
+                                                        const PointMatrix& coupling) {
+  return std::make_unique<const Both>(plate, membrane, coupling);
+}
+
 CoupledPlate::CoupledPlate(const Formulation& plate, const Formulation& membrane)
     : plate_(plate), membrane_(membrane), coupling_(plate.coupling()) {
   constraints_.add(plate.constraints(), 0);

@@ -36,6 +36,9 @@ public:
   /// @throws NumericalError  where a number is not finite
   CoupledEquilibrium equilibrium(const PlateLoads& loads, const StaticOptions& options) const;
   std::size_t factor_bytes() const;
+  /// The linear stiffness of stacked states, with its coupling(); all three must outlive it.
+  static std::unique_ptr<const Operator> stiffness(const Formulation& plate, const Formulation& membrane,
+                                                   const PointMatrix& coupling);
 
 private:
   class Both;

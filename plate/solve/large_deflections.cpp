@@ -257,7 +257,8 @@ struct StretchedPlate::Now {
   Forces on_bending;              // of the stretched middle plane
   Forces left;                    // of all forces on the plate, folded
   Eigen::VectorXd on_faces = {};  // contact forces on the rows of StretchedContact; empty where none may touch
-  double bending_energy = 0, membrane_energy = 0, potential = 0, residual = 0;
+  double bending_energy = 0, membrane_energy = 0;  // that of the coupling among the latter
+  double potential = 0, residual = 0;
 
   double energy() const { return bending_energy + membrane_energy + potential; }
 };
@@ -703,6 +704,10 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   auto& now = path.now;
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
+  if (plate_.problem().coupled()) {  // linear in the rotations, on which nothing else of the plane acts
+    result.coupling_energy = -now.on_bending.bottomRows(2).cwiseProduct(now.bending.bottomRows(2)).sum();
+    result.membrane_energy -= result.coupling_energy;
+  }
   for (const auto* some : {&loads, loads.constant})
     if (some && some->heat.points() > 0)
       result.stored_by_deflections += now.bending.cwiseProduct(product(some->heat, now.bending)).sum() / 2;

@@ -45,7 +45,8 @@ struct LargeDeflections {
   State bending, membrane;
   std::vector<LoadStep> steps;
   double bending_energy = 0, membrane_energy = 0;
-  double external_work = 0;  // of the loads along the steps
+  double coupling_energy = 0;  // of kappa . B epsilon, of either sign
+  double external_work = 0;    // of the loads along the steps
   /// Share of the deflections in the energy stored by heat in the plane (stored() has that of u and v).
   double stored_by_deflections = 0;
   Forces on_bending;  // of the stretched middle plane on the deflections
@@ -57,6 +58,7 @@ struct LargeDeflections {
   bool converged = false;
   std::string stop_reason;
 
+  double strain_energy() const { return bending_energy + membrane_energy + coupling_energy; }
   bool snapped() const;
 };
 

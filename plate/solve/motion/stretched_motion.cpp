@@ -1,11 +1,15 @@
 #include "plate/solve/motion/stretched_motion.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/sections.hpp"
+#include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/solve/analysis.hpp"
+#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
@@ -29,6 +33,8 @@ StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& me
       membrane_(membrane),
       unconstrained_mass_(stacked(plate::unconstrained_mass(plate, rotary), mass_in_plane(plate))) {
   if (plate.problem().stretches) stretching_ = membrane.stretching();
+  if (plate.problem().coupled())
+    coupling_ = plate.coupling(), linear_ = CoupledPlate::stiffness(plate, membrane, coupling_);
   constraints_.add(plate.constraints(), 0);
   constraints_.add(membrane.constraints(), std::uint32_t(plate.points()));
   constraints_.resolve();
@@ -46,6 +52,7 @@ std::size_t StretchedMotion::points() const {
 }
 
 void StretchedMotion::internal_force(const State& state, Forces& forces) const {
+  if (linear_ && !stretching_) return linear_->internal_force(state, forces);
   const State bending = of_plate(state), membrane = of_plane(state);
   Forces on_bending, on_membrane, stretched;
   plate_.internal_force(bending, on_bending);
@@ -56,7 +63,23 @@ void StretchedMotion::internal_force(const State& state, Forces& forces) const {
   forces = stacked(on_bending, on_membrane);
 }
 
+Forces StretchedMotion::on_bending(const State& state) const {
+  const State bending = of_plate(state), membrane = of_plane(state);
+  Forces result, on_membrane;
+  if (stretching_)
+    stretching_->internal_force(bending, membrane, result, on_membrane);
+  else if (linear_)
+    result = -product(coupling_, membrane);
+  return result;
+}
+
+Stretch StretchedMotion::stretch(const State& bending) const {
+  if (stretching_) return stretching_->stretch(bending);
+  return {Eigen::Matrix3Xd::Zero(3, bending.cols()), -product(coupling_, bending)};
+}
+
 void StretchedMotion::absolute_product(const State& state, Forces& forces) const {
+  if (linear_) return linear_->absolute_product(state, forces);
   Forces on_bending, on_membrane;
   plate_.absolute_product(of_plate(state), on_bending);
   membrane_.absolute_product(of_plane(state), on_membrane);
@@ -91,7 +114,14 @@ Forces StretchedMotion::load_in_plane(double time) const {
 
 double StretchedMotion::energy_in_plane(const State& state) const {
   const State membrane = of_plane(state);
-  return stretching_ ? stretching_->energies(of_plate(state), membrane).sum() : membrane_.strain_energy(membrane);
+  if (stretching_) return stretching_->energies(of_plate(state), membrane).sum();
+  const double alone = membrane_.strain_energy(membrane);
+  return linear_ ? alone + of_plate(state).cwiseProduct(product(coupling_, membrane)).sum() : alone;
+}
+
+double StretchedMotion::coupling_energy(const State& state) const {
+  if (!linear_) return 0;
+  return -on_bending(state).bottomRows(2).cwiseProduct(of_plate(state).bottomRows(2)).sum();
 }
 
 double StretchedMotion::strain_energy(const State& state) const {
@@ -114,6 +144,17 @@ TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts
 }
 
 State StretchedMotion::at_rest(const Analysis& analysis) const {
+  if (linear_) {
+    const PlateLoads loads{plate_.first_load(), membrane_.first_load()};
+    if (loads.across.isZero(0) && loads.in_plane.isZero(0)) return {};
+    auto found = CoupledPlate(plate_, membrane_)
+                     .equilibrium(loads, {StaticOptions{}.tolerance, analysis.max_iterations, {}})
+                     .of_both;
+    if (!found.converged)
+      throw NumericalError(
+          fmt::format("the plate at the start: {}, residual {:.2e}", found.stop_reason, found.residual));
+    return found.state;
+  }
   State bending = start_of(plate_, analysis), membrane = start_of(membrane_, analysis);
   if (bending.cols() == 0 && membrane.cols() == 0) return {};
   if (bending.cols() == 0) bending = zero_like(membrane);
@@ -126,16 +167,23 @@ State StretchedMotion::at_rest(const Analysis& analysis) const {
 }
 
 State StretchedMotion::deflected(const State& bending) const {
-  return stacked(bending,
-                 stretching_ ? MiddlePlane(membrane_).displacements(bending, zero_like(bending)) : zero_like(bending));
+  if (stretching_) return stacked(bending, MiddlePlane(membrane_).displacements(bending, zero_like(bending)));
+  if (linear_) return stacked(bending, MiddlePlane(membrane_).solve({-product(coupling_, bending)}).front());
+  return stacked(bending, zero_like(bending));
 }
 
 double stable_time_step(const Formulation& plate, const Formulation& membrane, double rotary) {
   constexpr double stretching = 0.9;
-  Forces mass = mass_in_plane(plate);
-  membrane.constraints().fold_diagonal(mass);
-  const double limit =
-      std::min(stable_time_step(plate, rotary), stable_time_step(membrane, membrane.constraints(), mass));
+  const auto of_linear = [&] {
+    if (plate.problem().coupled()) {
+      const StretchedMotion both(plate, membrane, rotary);
+      return stable_time_step(*both.coupled(), both.constraints(), both.mass());
+    }
+    Forces mass = mass_in_plane(plate);
+    membrane.constraints().fold_diagonal(mass);
+    return std::min(stable_time_step(plate, rotary), stable_time_step(membrane, membrane.constraints(), mass));
+  };
+  const double limit = of_linear();
   return plate.problem().stretches ? stretching * limit : limit;
 }
 

@@ -6,6 +6,7 @@
 #include "plate/formulation/operator.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/crack_contact.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
 #include "plate/solve/motion/moving_faces.hpp"
 #include "plate/solve/stretching.hpp"
 
@@ -15,7 +16,8 @@ struct Analysis;
 
 /// A plate and the same points in their plane (PlateLaw::membrane) that move by central differences. All states, forces
 /// and masses are stacked() [3 x 2 points]. Where the middle plane stretches (Problem::stretches) the plate has von
-/// Karman's strains, and its forces are not linear in the state; else neither part acts on the other.
+/// Karman's strains, and its forces are not linear in the state; else neither part acts on the other but where the
+/// plate is coupled (theory.md, "Coupled sections").
 class StretchedMotion : public Operator {
 public:
   /// Both must outlive this. `rotary`: factor of the rotary inertia.
@@ -36,8 +38,9 @@ public:
   std::vector<TimedLoad> loads() const;
   /// Loads in the plane at a time [3 x points].
   Forces load_in_plane(double time) const;
-  /// Strain energy of the plane, with that of the deflections where they stretch it.
+  /// Strain energy of the plane, with that of the deflections where they stretch it, and of the coupling.
   double energy_in_plane(const State& state) const;
+  double coupling_energy(const State& state) const;  // of kappa . B epsilon alone, of either sign
   double strain_energy(const State& state) const;
 
   /// Pairs of points on the faces of cracks that may touch; none where they may overlap.
@@ -51,13 +54,23 @@ public:
   /// State with given deflections: u and v are in equilibrium with them.
   State deflected(const State& bending) const;
 
+  /// True where the plate acts on its plane, and the plane on the plate.
+  bool act_on_each_other() const { return stretching_ || linear_; }
+  /// Forces of the plane on the plate, and of given deflections and rotations on the plane with the strains of it. Of
+  /// parts that act on each other.
+  Forces on_bending(const State& state) const;
+  Stretch stretch(const State& bending) const;
   /// The middle plane where it stretches, else null.
   const Stretching* stretching() const { return stretching_.get(); }
+  /// The linear stiffness where bending and stretching are coupled, else null.
+  const Operator* coupled() const { return linear_.get(); }
 
 private:
   const Formulation& plate_;
   const Formulation& membrane_;
   std::unique_ptr<const Stretching> stretching_;
+  PointMatrix coupling_;                    // without points where bending and stretching are not coupled
+  std::unique_ptr<const Operator> linear_;  // the stiffness where they are
   Constraints constraints_;
   Forces unconstrained_mass_;
   std::vector<FacePair> pairs_;

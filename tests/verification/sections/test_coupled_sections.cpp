@@ -1,6 +1,7 @@
 // Plates whose bending and stretching are coupled: uniform states of plies that are not symmetric, Navier's solution of
 // an antisymmetric cross-ply plate, a beam with a rib on one side.
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -10,7 +11,11 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/solve/coupled_plate.hpp"
+#include "plate/solve/large_deflections.hpp"
 #include "plate/solve/matrices/point_matrix.hpp"
+#include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/initial_conditions.hpp"
+#include "plate/solve/motion/stretched_motion.hpp"
 #include "post/files/sinks.hpp"
 #include "post/files/summary.hpp"
 #include "tests/dense.hpp"
@@ -367,15 +372,17 @@ TEST_CASE("a run of a coupled section: frequencies with their share in the plane
       buckles.warnings, [](const std::string& line) { return line.starts_with("the loads bend the coupled plate"); }));
 }
 
-TEST_CASE("a crack beside an eccentric rib: the releases in bending and in the plane are those of the energy") {
-  const auto run = [](double half_length) {
-    const auto text = fmt::format(R"([section]
+namespace {
+
+/// A square with a crack beside an eccentric rib, pressed and pulled. `more`: of the analysis.
+std::string cracked_beside_rib(double half_length, const std::string& more) {
+  return fmt::format(R"([section]
 young = 1000.0
 poisson = 0.3
 thickness = 0.05
 [geometry]
 outline = {{ rectangle = [0.0, 0.0, 1.0, 1.0] }}
-cracks = [[[0.5, {}], [0.5, {}]]]
+cracks = [[[0.5, {0}], [0.5, {1}]]]
 [discretization]
 spacing = 0.02
 formulation = "galerkin"
@@ -400,11 +407,19 @@ edges = ["left", "right"]
 value = 1.0
 [analysis]
 kind = "static"
+{2}
 [srif]
 )",
-                                  0.65 - half_length, 0.65 + half_length);
+                     0.65 - half_length, 0.65 + half_length, more);
+}
+
+}  // namespace
+
+TEST_CASE("a crack beside an eccentric rib: the releases in bending and in the plane are those of the energy") {
+  const auto run = [](double half_length) {
     post::ResultsInMemory results;
-    return cases::run(cases::read_case_text(text, "rib", {}), {.folder = {}, .quiet = true, .in_memory = &results});
+    return cases::run(cases::read_case_text(cracked_beside_rib(half_length, ""), "rib", {}),
+                      {.folder = {}, .quiet = true, .in_memory = &results});
   };
   const double step = 0.02;
   const auto longer = run(0.2 + step), shorter = run(0.2 - step), middle = run(0.2);
@@ -416,4 +431,190 @@ kind = "static"
                   << (bending + in_plane) / released - 1);
   CHECK(in_plane > 0.05 * bending);
   CHECK(bending + in_plane == Approx(released).epsilon(0.005));  // measured: -0.21 %
+}
+
+namespace {
+
+/// A strip 1 x 0.1, turned with its plies [0/90], in cylindrical bending under a pressure: its ends are held and turn
+/// freely.
+cases::Case cylindrical(double q, double degrees) {
+  const Eigen::Rotation2Dd turn(degrees * pi / 180);
+  auto c = rectangle(of_plies({ply(degrees, 0.01), ply(90 + degrees, 0.01)}), 1, 0.1, 0.025);
+  for (auto& x : c.outline.outer.vertices) x = turn * x;
+  c.supports = {vp::held(SupportKind::simply_supported, {"left", "right"}),
+                vp::held(SupportKind::symmetry, {"bottom", "top"})};
+  c.supports[0].in_plane = InPlane::fixed, c.supports[1].in_plane = InPlane::normal;
+  c.loads = {Load{Pressure{.value = q}}};
+  c.stretches = true;
+  return c;
+}
+
+LargeDeflections curved(const Discretised& plates) {
+  return StretchedPlate(*plates.plate, *plates.membrane)
+      .equilibrium({plates.plate->total_load(), plates.membrane->total_load()}, {1e-8, {}});
+}
+
+}  // namespace
+
+TEST_CASE("coupled sections: a held strip follows the exact large deflections, which differ by the side of the load") {
+  // own closed solution for a given N, whose strains close between the ends: deflection in thicknesses, and N
+  for (const auto& [q, deflection, force] : {std::tuple{0.05, 1.367411, 0.246361}, {-0.05, -0.859024, 0.261108}})
+    for (const double degrees : {0.0, 27.0}) {
+      const auto plates = discretise(cylindrical(q, degrees));
+      const auto found = curved(plates);
+      REQUIRE(found.converged);
+      const Point middle = Eigen::Rotation2Dd(degrees * pi / 180) * Point(0.5, 0.05);
+      const double w = at(*plates.plate, found.bending, middle) / 0.02;
+      const Point along = Eigen::Rotation2Dd(degrees * pi / 180) * Point(1, 0);
+      const Eigen::Vector3d mean = found.membrane_forces.rowwise().mean();
+      const double N =
+          mean[0] * along.x() * along.x() + mean[1] * along.y() * along.y() + 2 * mean[2] * along.x() * along.y();
+      const double balance = found.external_work / found.strain_energy() - 1;
+      INFO("q " << q << ", " << degrees << " degrees: w " << w / deflection - 1 << ", N " << N << ", work " << balance);
+      CHECK(w == Approx(deflection).epsilon(0.005));  // measured: 0.19, turned 0.16, 0.29 %
+      CHECK(std::abs(balance) < 0.01);                // measured: -0.41, -0.01 %
+      CHECK(N == Approx(force).epsilon(0.005));
+      CHECK(std::abs(found.coupling_energy) > 0.01 * found.strain_energy());
+    }
+}
+
+TEST_CASE("a held strip with a rib follows the exact large deflections of the composite beam") {
+  // the same solution with the stiffness of plate and rib, without shear: deflection in thicknesses by q
+  for (const auto& [eccentricity, q, deflection] :
+       {std::tuple{0.02, 0.1, 2.263824}, {0.02, -0.1, -2.956248}, {0.0, 0.1, 2.626366}}) {
+    auto c = cylindrical(q, 0);
+    c.section = {1000, 0.3, 0.02, 5.0 / 6, 2};
+    c.discretization.spacing = 0.0125;
+    Stiffener rib;
+    rib.along = {Point(0, 0.05), Point(1, 0.05)};
+    rib.axial = 1, rib.bending = 1e-5, rib.eccentricity = eccentricity;
+    c.stiffeners = {rib};
+    const auto plates = discretise(c);
+    const auto found = curved(plates);
+    REQUIRE(found.converged);
+    const double w = at(*plates.plate, found.bending, {0.5, 0.05}) / 0.02;
+    const double balance = found.external_work / found.strain_energy() - 1;
+    INFO("e " << eccentricity << ", q " << q << ": w " << w / deflection - 1 << ", work " << balance);
+    CHECK(w == Approx(deflection).epsilon(0.01));  // measured: 0.38, 0.10 %
+    CHECK(std::abs(balance) < 0.005);              // measured: 0.02 %
+  }
+}
+
+TEST_CASE("coupled sections: without B large deflections are those of the uncoupled plate") {
+  const auto run = [](double density) {
+    auto c = cylindrical(0.05, 0);
+    c.section = of_plies({ply(0, 0.005), ply(90, 0.01), ply(0, 0.005)});
+    c.section.plies[0].density = density;  // heavier on one side: coupled by its mass alone
+    REQUIRE(c.coupled() == (density != 2));
+    const auto plates = discretise(c);
+    return curved(plates);
+  };
+  const auto coupled = run(3), alone = run(2);
+  CHECK((coupled.bending - alone.bending).norm() < 1e-10 * alone.bending.norm());
+  CHECK((coupled.membrane - alone.membrane).norm() < 1e-9 * alone.membrane.norm());
+  CHECK(std::abs(coupled.coupling_energy) < 1e-12 * alone.strain_energy());
+}
+
+namespace {
+
+/// A [0/90] square, SS-1, and its plane, that move.
+struct MovingLaminate {
+  Section section = of_plies({ply(0, 0.05), ply(90, 0.05)});
+  Discretised plates;
+  StretchedMotion both;
+
+  static cases::Case made(const Section& section, double amplitude, bool large) {
+    auto c = rectangle(section, 1, 1, 0.05);
+    c.supports = {vp::held_all_round(SupportKind::simply_supported_hard)};
+    c.supports[0].in_plane = InPlane::tangential;
+    c.loads.clear();
+    c.initial = Initial{Formula(fmt::format("{} * sin(pi * x) * sin(pi * y)", amplitude)), {}};
+    c.stretches = large;
+    return c;
+  }
+  MovingLaminate(double amplitude, bool large)
+      : plates(discretise(made(section, amplitude, large))), both(*plates.plate, *plates.membrane, 1) {}
+
+  struct Found {
+    double frequency = 0, drift = 0;  // drift: of the energy, relative
+  };
+  /// Lets go of sin(pi x) sin(pi y) over a duration.
+  Found vibrate(double duration) const {
+    const auto begin = begin_of_motion(*plates.plate, 1);
+    DynamicOptions options;
+    options.steps = std::size_t(std::ceil(duration / (0.9 * stable_time_step(*plates.plate, *plates.membrane, 1))));
+    options.time_step = duration / double(options.steps);
+    options.start = both.deflected(begin.deflected), options.bent = true;
+    options.given = begin.given + both.energy_in_plane(options.start);
+    if (both.stretching()) options.strain_energy = [&](const State& state) { return both.strain_energy(state); };
+    Found result;
+    std::vector<double> zeros;
+    double before = 0, time_before = 0, first = 0;
+    const auto see = [&](const Instant& now) {
+      const double w = at(*plates.plate, of_plate(now.state), {0.5, 0.5});
+      if (now.step > 0 && w * before < 0)
+        zeros.push_back(time_before + (now.time - time_before) * before / (before - w));
+      before = w, time_before = now.time;
+      const double energy = now.strain_energy + now.discrete_kinetic_energy;
+      if (now.step == 0) first = energy;
+      result.drift = std::max(result.drift, std::abs(energy / first - 1));
+    };
+    central_differences(both, both.constraints(), both.mass(), both.loads(), options, see);
+    REQUIRE(zeros.size() > 4);
+    result.frequency = pi * double(zeros.size() - 1) / (zeros.back() - zeros.front());
+    return result;
+  }
+};
+
+/// Lowest circular frequency of the square by Navier's solution.
+double navier_frequency(const Section& section) {
+  Eigen::Matrix<double, 5, 1> mass = Eigen::Matrix<double, 5, 1>::Constant(2 * section.thickness);
+  mass.tail<2>().setConstant(2 * std::pow(section.thickness, 3) / 12);
+  const Eigen::Matrix<double, 5, 5> M = mass.asDiagonal(), S = navier_stiffness(section, 1, 1, 1, 1);
+  return std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>>(S, M).eigenvalues()[0]);
+}
+
+}  // namespace
+
+TEST_CASE("coupled sections: a [0/90] square vibrates at Navier's frequency, at the same one with small large ones") {
+  const MovingLaminate linear(1e-5, false), large(1e-5, true);
+  const double exact = navier_frequency(linear.section), duration = 8 * 2 * pi / exact;
+  const auto found = linear.vibrate(duration), curved = large.vibrate(duration);
+  INFO("linear " << found.frequency / exact - 1 << ", drift " << found.drift << "; large "
+                 << curved.frequency / found.frequency - 1 << ", drift " << curved.drift);
+  CHECK(found.frequency == Approx(exact).epsilon(0.006));  // measured: -0.35 %
+  CHECK(curved.frequency == Approx(found.frequency).epsilon(1e-4));
+  CHECK(found.drift < 1e-9);
+  CHECK(curved.drift < 1e-3);
+}
+
+TEST_CASE("coupled sections: in large vibrations energy stays") {
+  const MovingLaminate large(0.1, true);
+  const double exact = navier_frequency(large.section);
+  const auto found = large.vibrate(4 * 2 * pi / exact);
+  INFO("frequency " << found.frequency / exact << " of the linear one, drift " << found.drift);
+  CHECK(found.frequency > 1.05 * exact);  // measured: 1.11
+  CHECK(found.drift < 0.01);
+}
+
+TEST_CASE("a crack beside an eccentric rib: under large deflections too the releases are those of the energy") {
+  const double step = 0.02;
+  const auto file = [&](double half_length) {
+    return cases::read_case_text(cracked_beside_rib(half_length, "nonlinear = true"), "rib", {});
+  };
+  const auto less_potential = [&](double half_length) {  // work of the full loads less the strain energy
+    const auto plates = discretise(file(half_length).content);
+    const auto found = curved(plates);
+    REQUIRE(found.converged);
+    return plates.plate->total_load().cwiseProduct(found.bending).sum() +
+           plates.membrane->total_load().cwiseProduct(found.membrane).sum() - found.strain_energy();
+  };
+  const double released = (less_potential(0.2 + step) - less_potential(0.2 - step)) / (2 * step);
+  post::ResultsInMemory results;
+  const auto middle = cases::run(file(0.2), {.folder = {}, .quiet = true, .in_memory = &results});
+  double bending = 0, in_plane = 0;
+  for (const auto* one : post::recommended(middle.srif)) bending += *one->G, in_plane += *one->membrane->G;
+  INFO("bending " << bending << ", in the plane " << in_plane << ", energy " << released << ": "
+                  << (bending + in_plane) / released - 1);
+  CHECK(bending + in_plane == Approx(released).epsilon(0.01));
 }

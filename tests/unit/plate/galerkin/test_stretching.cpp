@@ -40,30 +40,74 @@ State slopes(std::size_t points) {
   return 0.1 * gp::random_state(points, 5);
 }
 
+/// A section of two plies that couples, and its plane.
+Section cross_ply(PlateLaw law) {
+  Section result = gp::section;
+  for (const double angle : {10.0, 80.0}) {
+    Ply ply;
+    static_cast<Orthotropy&>(ply) = {25000, 1000, 0.25, 500, 500, 200, angle};
+    ply.thickness = result.thickness / 2;
+    result.plies.push_back(ply);
+  }
+  result.law = law;
+  return result;
+}
+
+/// Checks forces against differences of the energy, and the stiffness against those of the forces.
+void require_derivatives(const GalerkinStretching& stretching, std::size_t points) {
+  constexpr double step = 1e-5;
+  const State w = slopes(points), u = 0.01 * gp::random_state(points, 7);
+  const State dw = gp::random_state(points, 8), du = gp::random_state(points, 9);
+  const auto energy = [&](double share) { return stretching.energies(w + share * dw, u + share * du).sum(); };
+  Forces on_bending, on_membrane, before_w, before_u, after_w, after_u;
+  stretching.internal_force(w, u, on_bending, on_membrane);
+  const double work = on_bending.cwiseProduct(dw).sum() + on_membrane.cwiseProduct(du).sum();
+  const double slope = (energy(step) - energy(-step)) / (2 * step);
+  CHECK(std::abs(slope + work) < 1e-6 * std::abs(slope));
+  CHECK(on_membrane.row(0).isZero(0));
+
+  stretching.internal_force(w - step * dw, u - step * du, before_w, before_u);
+  stretching.internal_force(w + step * dw, u + step * du, after_w, after_u);
+  const Eigen::VectorXd change = (joined(before_w, before_u) - joined(after_w, after_u)) / (2 * step);
+  const Eigen::VectorXd product = dense(stretching.stiffness(w, u)) * joined(dw, du);
+  INFO("off by " << (product - change).norm() / change.norm());
+  CHECK((product - change).norm() < 1e-6 * change.norm());
+}
+
 }  // namespace
 
 TEST_CASE("stretching: forces are the derivative of the energy, the stiffness is that of the forces") {
-  constexpr double step = 1e-5;
   for (const auto& cells : gp::scenes()) {
     const auto families = gp::families(cells);
     const PointSections sections(membrane());
     const GalerkinStretching stretching(families, sections);
-    const State w = slopes(families.areas.size()), u = 0.01 * gp::random_state(families.areas.size(), 7);
-    const State dw = gp::random_state(families.areas.size(), 8), du = gp::random_state(families.areas.size(), 9);
-    const auto energy = [&](double share) { return stretching.energies(w + share * dw, u + share * du).sum(); };
-    Forces on_bending, on_membrane, before_w, before_u, after_w, after_u;
-    stretching.internal_force(w, u, on_bending, on_membrane);
-    const double work = on_bending.cwiseProduct(dw).sum() + on_membrane.cwiseProduct(du).sum();
-    const double slope = (energy(step) - energy(-step)) / (2 * step);
-    CHECK(std::abs(slope + work) < 1e-6 * std::abs(slope));
+    require_derivatives(stretching, families.areas.size());
+    Forces on_bending, on_membrane;
+    stretching.internal_force(slopes(families.areas.size()), slopes(families.areas.size()), on_bending, on_membrane);
     CHECK(on_bending.bottomRows(2).isZero(0));
-    CHECK(on_membrane.row(0).isZero(0));
+  }
+}
 
-    stretching.internal_force(w - step * dw, u - step * du, before_w, before_u);
-    stretching.internal_force(w + step * dw, u + step * du, after_w, after_u);
-    const Eigen::VectorXd change = (joined(before_w, before_u) - joined(after_w, after_u)) / (2 * step);
-    const Eigen::VectorXd product = dense(stretching.stiffness(w, u)) * joined(dw, du);
-    CHECK((product - change).norm() < 1e-6 * change.norm());
+TEST_CASE("stretching: a section that couples has the derivatives of its energy, and its linear coupling") {
+  for (const auto& cells : gp::scenes()) {
+    const auto families = gp::families(cells);
+    const auto points = families.areas.size();
+    const PointSections sections(cross_ply(PlateLaw::membrane));
+    const auto section = cross_ply(PlateLaw::bending);
+    REQUIRE(section.couples());
+    const GalerkinStretching coupled(families, sections, galerkin_coupling(families, section)),
+        alone(families, sections);
+    require_derivatives(coupled, points);
+    // without deflections its energy is the product of the matrix of the coupling
+    State turned = slopes(points);
+    turned.row(0).setZero();
+    const State u = gp::random_state(points, 7);
+    const double more = (coupled.energies(turned, u) - alone.energies(turned, u)).sum();
+    const auto matrix = coupling_matrix(families, section);
+    CHECK(more == Approx(turned.cwiseProduct(product(matrix, u)).sum()).epsilon(1e-10));
+    Forces on_bending, on_membrane;
+    coupled.internal_force(turned, u, on_bending, on_membrane);
+    CHECK((on_bending + product(matrix, u)).norm() < 1e-10 * on_bending.norm());
   }
 }
 

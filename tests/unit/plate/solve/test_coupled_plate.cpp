@@ -55,3 +55,35 @@ TEST_CASE("coupled plate: next to no eccentricity leaves bending and stretching 
   CHECK((found.bending - bent).norm() < 1e-6 * bent.norm());
   CHECK(std::abs(found.coupling_energy) < 1e-6 * found.strain_energy());
 }
+
+TEST_CASE("coupled plate: large deflections of a ribbed plate have the derivatives of their energy") {
+  constexpr double step = 1e-5;
+  for (const double eccentricity : {0.2, 0.0}) {
+    const auto plates = ribbed(eccentricity);
+    const auto stretching = plates.membrane->stretching();
+    const auto points = Eigen::Index(plates.plate->points());
+    const State w = 0.1 * State::Random(3, points), dw = State::Random(3, points), du = State::Random(3, points);
+    State u = 0.01 * State::Random(3, points);
+    const auto energy = [&](double share) { return stretching->energies(w + share * dw, u + share * du).sum(); };
+    const auto forces = [&](double share) {
+      Forces on_bending, on_membrane;
+      stretching->internal_force(w + share * dw, u + share * du, on_bending, on_membrane);
+      return stacked(on_bending, on_membrane);
+    };
+    const double slope = (energy(step) - energy(-step)) / (2 * step);
+    CHECK(slope == Approx(-forces(0).cwiseProduct(stacked(dw, du)).sum()).epsilon(1e-6));
+    const State change = (forces(-step) - forces(step)) / (2 * step);
+    const State found = product(stretching->stiffness(w, u), stacked(dw, du));
+    CHECK((found - change).norm() < 1e-6 * change.norm());
+    // without deflections, forces are those of the linear plane and of the coupling
+    State turned = w;
+    turned.row(0).setZero();
+    Forces on_bending, on_membrane, linear;
+    stretching->internal_force(turned, u, on_bending, on_membrane);
+    plates.membrane->internal_force(u, linear);
+    if (eccentricity != 0) linear -= product(plates.plate->coupling(), turned);
+    CHECK((on_membrane - linear).norm() < 1e-10 * linear.norm());
+    stretching->internal_force(w, zero_like(u), on_bending, on_membrane);
+    CHECK((stretching->stretch(w).forces - on_membrane).norm() < 1e-12 * on_membrane.norm());
+  }
+}
