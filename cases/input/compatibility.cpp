@@ -238,7 +238,6 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, factors_to_accuracy, "srif.accuracy", of_linear},
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},
-    {large_deflections, processes, "analysis.nonlinear", by_one_process("large deflections cannot be found")},
     {touching_faces, lanczos, "analysis.method",
      "\"lanczos\" needs a linear plate, and faces of cracks that open and close make it nonlinear; choose "
      "\"central_difference\""},
@@ -292,9 +291,6 @@ const std::vector<Exclusion> excluded_pairs{
      "axial forces of stiffeners do not bear on deflections yet: remove it, or stiffener[].axial"},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
-    {processes, buckling, "analysis.kind", by_one_process("\"buckling\" cannot be run")},
-    {processes, motion_in_plane, "load", by_one_process("motion under loads in the plane cannot be run")},
-    {processes, stressed_frequencies, "load", by_one_process("frequencies under loads in the plane cannot be found")},
     {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},
 };
 

@@ -7,6 +7,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/buckling.hpp"
@@ -130,19 +131,20 @@ void CoupledRun::solve() {
     post::EnergyBalance(post::EnergyBalance::Plate::rests).check({strain, strain, work}, "in equilibrium");
 }
 
-/// Factors of the same case with all spacings twice as wide; none where no such plate can be had.
-std::vector<double> coarser_buckling(const Case& c) {
+/// Factors of the same case with all spacings twice as wide; none where no such plate can be had. A plate of too few
+/// points to be shared is made whole by every rank.
+std::vector<double> coarser_buckling(const Case& c, const plate::Communicator& all) {
   Case coarse = c;
   coarse.discretization = widened(c.discretization, 2);
   std::vector<double> result;
   try {
-    const auto made = plate::discretise(coarse);
+    const auto made = plate::discretise(coarse, all);
     if (!plate::loose(*made.plate).empty() || !plate::loose(*made.membrane).empty()) return result;
     const auto geometric = plate::prestress(*made.membrane);
     for (const auto& mode : plate::buckling(*made.plate, geometric, c.analysis.modes, c.analysis.tolerance))
       result.push_back(mode.factor);
   } catch (const plate::Refused&) {
-    return {};
+    return all.distributed() ? coarser_buckling(c, plate::single_process()) : std::vector<double>();
   } catch (const plate::NumericalError&) {
     return {};
   }
@@ -172,7 +174,7 @@ void BucklingRun::solve() {
   summary.membrane = at_rest.summary;
   outputs_.warn(std::move(at_rest.warnings));
   const auto found = plate::buckling(plate_, plate::prestress(*ready_.membrane), analysis.modes, analysis.tolerance);
-  const auto errors = errors_of_buckling(content(), found);
+  const auto errors = errors_of_buckling(content(), found, plate_.communicator());
   progress.done();
   stopwatch().lap("solve");
   summary.analysis.method = "lanczos";
@@ -211,10 +213,11 @@ std::unique_ptr<PlateAnalysis> coupled_plate(const ValidatedPlate& ready, Output
   return std::make_unique<CoupledRun>(ready, outputs);
 }
 
-std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found) {
+std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found,
+                                                      const plate::Communicator& all) {
   if (found.empty()) return {};
   const double share = c.cracks.empty() ? 0.5 : 1.5;
-  const auto coarser = coarser_buckling(c);
+  const auto coarser = coarser_buckling(c, all);
   std::vector<std::optional<double>> result(found.size());
   for (std::size_t i = 0; i < std::min(found.size(), coarser.size()); ++i)
     result[i] = share * std::abs(found[i].factor - coarser[i]);

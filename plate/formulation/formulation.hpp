@@ -111,6 +111,8 @@ public:
   Forces total_load() const;                       // all loads at their last values together
   Forces first_load() const;                       // all loads as they are at time 0
   double strain_energy(const State& state) const;  // of all ranks
+  /// Sum of values of all points, each of the rank that owns it. Collective.
+  double sum_of_points(const Eigen::VectorXd& values) const;
   /// Mass per degree of freedom. `rotary`: factor of the rotary inertia.
   Forces mass(double rotary = 1) const;
   std::size_t bonds() const;             // directed, between points of the plate

@@ -76,6 +76,7 @@ State shape_of(const VectorXd& values, const Unknowns& unknowns, const Formulati
 
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance) {
+  if (plate.distributed()) return distributed_buckling(plate, geometric, modes, tolerance);
   constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
   constexpr Eigen::Index most_restarts = 300;
   const auto folded_stiffness = folded(plate.stiffness(), plate.constraints());

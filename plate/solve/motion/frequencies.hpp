@@ -24,6 +24,9 @@ struct Mode {
   State shape;       // u = P q; the largest |w| is 1 and positive
 };
 
+/// The state with the largest |w| of 1, or as it is where nothing but rotations moves. Collective.
+State normalized(const Constraints& constraints, State state);
+
 struct FrequencySolution {
   std::vector<Mode> modes;     // ascending
   std::size_t solutions = 0;   // of (K + sigma M) q = f

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/model/problem.hpp"
@@ -27,11 +28,9 @@ Forces mass_in_plane(const Formulation& plate) {
 StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary)
     : plate_(plate),
       membrane_(membrane),
+      constraints_(stacked(plate.constraints(), membrane.constraints(), plate.points())),
       unconstrained_mass_(stacked(plate::unconstrained_mass(plate, rotary), mass_in_plane(plate))) {
   if (plate.problem().stretches) stretching_ = membrane.stretching();
-  constraints_.add(plate.constraints(), 0);
-  constraints_.add(membrane.constraints(), std::uint32_t(plate.points()));
-  constraints_.resolve();
   if (!plate.problem().faces_touch()) return;
   pairs_ = plate.face_pairs();
   const Forces mass = this->mass();
@@ -91,11 +90,18 @@ Forces StretchedMotion::load_in_plane(double time) const {
 
 double StretchedMotion::energy_in_plane(const State& state) const {
   const State membrane = of_plane(state);
-  return stretching_ ? stretching_->energies(of_plate(state), membrane).sum() : membrane_.strain_energy(membrane);
+  return stretching_ ? membrane_.sum_of_points(stretching_->energies(of_plate(state), membrane))
+                     : membrane_.strain_energy(membrane);
 }
 
 double StretchedMotion::strain_energy(const State& state) const {
   return plate_.strain_energy(of_plate(state)) + energy_in_plane(state);
+}
+
+std::vector<char> StretchedMotion::owned() const {
+  auto result = plate_.boundary().map.owned;
+  result.insert(result.end(), result.begin(), result.end());
+  return result;
 }
 
 TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts) const {
@@ -134,8 +140,8 @@ double stable_time_step(const Formulation& plate, const Formulation& membrane, d
   constexpr double stretching = 0.9;
   Forces mass = mass_in_plane(plate);
   membrane.constraints().fold_diagonal(mass);
-  const double limit =
-      std::min(stable_time_step(plate, rotary), stable_time_step(membrane, membrane.constraints(), mass));
+  const double limit = std::min(stable_time_step(plate, rotary),
+                                stable_time_step(membrane, membrane.constraints(), mass, start_by_place(membrane)));
   return plate.problem().stretches ? stretching * limit : limit;
 }
 
