@@ -26,7 +26,6 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {moving_load, "a load that moves (`path`, `speed`)"},
     {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`, `mean`)"},
     {motion_in_plane, "motion under loads in the plane"},
-    {stressed_frequencies, "`analysis.kind = \"frequencies\"` under loads in the plane"},
     {growth_in_plane, "`[growth]` under loads in the plane"},
     {large_deflections, "`analysis.nonlinear`"},
     {large_deflections_in_motion, "`analysis.nonlinear` of a motion"},
@@ -358,7 +357,6 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   const bool in_plane = any_load([](const auto& load) { return load.in_plane(); });
   add(in_plane, load_in_plane);
   add(in_plane && moves, motion_in_plane);
-  add(in_plane && a.kind == Kind::frequencies, stressed_frequencies);
   add(in_plane && content.growth, growth_in_plane);
   add(a.nonlinear, large_deflections);
   add(a.nonlinear && moves, large_deflections_in_motion);

@@ -39,6 +39,8 @@ public:
   PetscInverse(const PetscInverse&) = delete;
   PetscInverse& operator=(const PetscInverse&) = delete;
 
+  bool positive() const override { return negative_pivots_ == 0; }
+
   void apply(std::span<double> values) const override {
     double* entries = nullptr;
     require(VecGetArrayWrite(right_, &entries));
@@ -77,7 +79,7 @@ private:
         const double* block = &rows.block[entries_per_block * b];
         require(MatSetValuesBlocked(matrix_, 1, &row, 1, &column, block, ADD_VALUES));
         for (std::size_t c = 0; column == row && c < unknowns_per_point; ++c)
-          if (block[(unknowns_per_point + 1) * c] > 0) without_stiffness_[index_by_points(k, c)] = false;
+          if (block[(unknowns_per_point + 1) * c] != 0) without_stiffness_[index_by_points(k, c)] = false;
       }
       std::array<double, 9> rest{};
       for (std::size_t c = 0; c < unknowns_per_point; ++c)
@@ -107,17 +109,20 @@ private:
 
   /// MUMPS estimates the memory that a process needs, and some more is given: what it lacks it asks for by failing.
   void factorise(MPI_Comm all) {
-    constexpr PetscInt more = 14;  // ICNTL(14): percent above the estimate
+    constexpr PetscInt more = 14;      // ICNTL(14): percent above the estimate
+    constexpr PetscInt root = 13;      // ICNTL(13): 1: the last front too is of one process, which counts its pivots
+    constexpr PetscInt negative = 12;  // INFOG(12): number of negative pivots
+    Mat factor = nullptr;
     for (const PetscInt percent : {50, 200, 1000})
       if (set_up(all, [&](PC inverse) {
             require(PCSetType(inverse, PCCHOLESKY));
             require(PCFactorSetMatSolverType(inverse, MATSOLVERMUMPS));
             require(PCFactorSetUpMatSolverType(inverse));
-            Mat factor;
             require(PCFactorGetMatrix(inverse, &factor));
             require(MatMumpsSetIcntl(factor, more, percent));
+            require(MatMumpsSetIcntl(factor, root, 1));
           }))
-        return;
+        return require(MatMumpsGetInfog(factor, negative, &negative_pivots_));
     throw std::runtime_error("MUMPS finds no factor of the stiffness");
   }
 
@@ -149,7 +154,7 @@ private:
     for (auto& motion : motions) require(VecDestroy(&motion));
   }
 
-  PetscInt unknowns_;
+  PetscInt unknowns_, negative_pivots_ = 0;
   std::vector<char> without_stiffness_;
   Mat matrix_ = nullptr;
   KSP solver_ = nullptr;

@@ -76,6 +76,10 @@ const Constraints& Formulation::constraints() const {
   return boundary().constraints;
 }
 
+Constraints Formulation::constraints_about() const {
+  return constraints();
+}
+
 const std::vector<double>& Formulation::cut() const {
   return layout_->cut;
 }

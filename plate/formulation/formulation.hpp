@@ -170,6 +170,8 @@ public:
   virtual std::optional<double> width_of_pins() const { return std::nullopt; }
   /// Share of deflections by which edges between the points are usually off.
   virtual double error_of_edges() const { return 0; }
+  /// The constraints, with a halo exchange of all points that the stiffness of owned points looks at.
+  virtual Constraints constraints_about() const;
 
 protected:
   explicit Formulation(Layout layout);

@@ -12,12 +12,15 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/stretched_contact.hpp"
 
 namespace plate {
 namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
 
 /// Rigid motions of a piece in its plane, about a point, by a degree of freedom: u = theta_y, v = -theta_x.
 class MotionsInPlane {
@@ -126,11 +129,20 @@ PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
   return result;
 }
 
+/// Work of forces, which are not folded, on a state, over all ranks.
+double work(const Formulation& plate, const Forces& forces, const State& state) {
+  return plate.sum_of_points(forces.cwiseProduct(state).colwise().sum().transpose());
+}
+
 /// Displacement of the loads of a plate and of its plane: minus their potential, by their factor. The heat's is not
 /// linear in the deflections.
-double displacement_of(const PlateLoads& loads, const State& bending, const State& membrane) {
-  const double linear = loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
-  return loads.heat.points() == 0 ? linear : linear - bending.cwiseProduct(product(loads.heat, bending)).sum() / 2;
+double displacement_of(const Formulation& plate, const PlateLoads& loads, const State& bending, const State& membrane) {
+  const double linear = work(plate, loads.across, bending) + work(plate, loads.in_plane, membrane);
+  return loads.heat.points() == 0 ? linear : linear - work(plate, product(loads.heat, bending), bending) / 2;
+}
+
+double largest_deflection(const Formulation& plate, const State& bending) {
+  return largest_of(plate, bending.row(0).cwiseAbs().maxCoeff());
 }
 
 /// The solution of a factor for folded forces.
@@ -144,6 +156,7 @@ State solution(const Factor& factor, const Unknowns& unknowns, const Forces& for
 }  // namespace
 
 Constraints pinned(const Formulation& membrane) {
+  if (membrane.distributed()) return membrane.constraints_about();
   Constraints result;
   result.add(membrane.constraints(), 0);
   for (const auto& pin : pins_of(membrane)) result.fix(pin);
@@ -171,6 +184,11 @@ MiddlePlane::MiddlePlane(const Formulation& membrane, const Forces& bending)
     : stretching_(membrane.stretching()), constraints_(pinned(membrane)) {
   const auto stiffness = folded(membrane.stiffness(), constraints_);
   diagonal_ = free_diagonal(stiffness, constraints_);
+  if (membrane.distributed()) {
+    unknowns_ = owned_unknowns(membrane.boundary(), membrane.points());
+    factor_ = distributed_factor(stiffness, membrane.boundary(), constraints_, diagonal_);
+    return;
+  }
   order_ = elimination_order(stiffness, bending.cols() > 0 ? Forces(diagonal_ + bending) : diagonal_);
   unknowns_ = unknowns(diagonal_, order_);
   factor_ = factorised(of_unknowns(stiffness, unknowns_));
@@ -221,8 +239,9 @@ double linear_theory_off(const Formulation& plate, const Formulation& membrane, 
   if (!(bent > 0)) return 0;
   const MiddlePlane plane(membrane);
   const State displacements = plane.displacements(bending, zero_like(bending));
-  const double stretched = plane.stretching().energies(bending, displacements).sum();
-  const double by_load = -displacement_of({zero_like(bending), loads.in_plane, loads.heat}, bending, displacements);
+  const double stretched = membrane.sum_of_points(plane.stretching().energies(bending, displacements));
+  const double by_load =
+      -displacement_of(plate, {zero_like(bending), loads.in_plane, loads.heat}, bending, displacements);
   return 1 / scale_of_least_energy(1 + by_load / bent, 2 * stretched / bent) - 1;
 }
 
@@ -244,8 +263,12 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
       plane_(membrane, diagonal_),
       weight_(diagonal_.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; })) {
   const auto points = std::uint32_t(plate.points());
-  of_both_.add(plate.constraints(), 0), of_both_.add(plane_.constraints(), points);
-  of_both_.resolve();
+  of_both_ =
+      stacked(plate.distributed() ? plate.constraints_about() : plate.constraints(), plane_.constraints(), points);
+  if (plate.distributed()) {
+    unknowns_ = owned_unknowns(plate.boundary(), 2 * plate.points());
+    return;
+  }
   // the unknowns of a point and of the same point in its plane stand together
   std::vector<int> both;
   for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
@@ -258,7 +281,7 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
 StretchedPlate::~StretchedPlate() = default;
 
 double StretchedPlate::norm(const Forces& forces) const {
-  return std::sqrt((forces.array().square() * weight_.array()).sum());
+  return std::sqrt(sum_of_all(plate_, (forces.array().square() * weight_.array()).sum()));
 }
 
 /// `on_faces`: an estimate of the contact forces.
@@ -274,8 +297,8 @@ StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& ben
   if (contact_) contact_->rows().press(now.on_faces, now.left, on_membrane);
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
-  now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
-  now.potential = -factor * displacement_of(loads, now.bending, now.membrane);
+  now.membrane_energy = plate_.sum_of_points(plane_.stretching().energies(now.bending, now.membrane));
+  now.potential = -factor * displacement_of(plate_, loads, now.bending, now.membrane);
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
     throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
@@ -286,11 +309,21 @@ StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& ben
 std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, const PlateLoads& loads, double factor,
                                                 double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
-  auto matrix = with_first(bending_, plane_.stretching().stiffness(now.bending, now.membrane));
+  State both = stacked(now.bending, now.membrane);
+  if (plate_.distributed()) of_both_.impose(both);  // of all that the stiffness looks at
+  auto matrix = with_first(bending_, plane_.stretching().stiffness(of_plate(both), of_plane(both)));
   if (loads.heat.points() > 0) add(loads.heat, factor, matrix);
-  const auto lower = of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
+  matrix = folded(std::move(matrix), of_both_);
+  const bool shared = plate_.distributed();
+  const auto lower = shared ? Matrix() : of_unknowns(matrix, unknowns_);
+  if (!shared) matrix = {};
+  const auto factorised = [&] {
+    return shared
+               ? distributed_factor(matrix, plate_.boundary(), of_both_, stacked(diagonal_, plane_.diagonal()), shift)
+               : std::make_unique<Factor>(lower, shift);
+  };
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
-      return std::make_unique<Factor>(lower, shift);
+      return factorised();
     } catch (const NumericalError&) {
       if (shift > most) throw;
     }
@@ -401,7 +434,7 @@ void StretchedPlate::look_ahead(Path& path) const {
   PlateLoads by_factor{across, in_plane};
   if (heat.points() > 0) by_factor.across -= product(heat, path.now.bending);
   path.rate = rate(*inverse, path.now, by_factor);
-  path.along = displacement_of(by_factor, path.rate.bending, path.rate.membrane);
+  path.along = displacement_of(plate_, by_factor, path.rate.bending, path.rate.membrane);
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
@@ -409,8 +442,8 @@ void StretchedPlate::look_ahead(Path& path) const {
 /// where they grow with its third power, as with the stretching of a plate. Where hardly anything moves the loads
 /// before, as heat does not until the plate buckles, the line of the end.
 double StretchedPlate::work_between(const Path& before, const Path& after) const {
-  const double moved = displacement_of(*after.loads, after.now.bending, after.now.membrane) -
-                       displacement_of(*after.loads, before.now.bending, before.now.membrane);
+  const double moved = displacement_of(plate_, *after.loads, after.now.bending, after.now.membrane) -
+                       displacement_of(plate_, *after.loads, before.now.bending, before.now.membrane);
   const double mean = moved * (before.factor + after.factor) / 2;
   if (!(before.along > 0) || !(after.along > 0)) return mean;
   const double hermite = mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
@@ -432,7 +465,7 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     const bool found = iterate(next, *path.loads, options, step);
     result.iterations += step.iterations;
     if (!found) continue;
-    step.largest_deflection = next.bending.row(0).cwiseAbs().maxCoeff();
+    step.largest_deflection = largest_deflection(plate_, next.bending);
     step.strain_energy = next.bending_energy + next.membrane_energy;
     const Path before = path;
     path.now = std::move(next), path.factor = step.factor;
@@ -457,7 +490,7 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   LargeDeflections result;
   Path path{.loads = &loads, .now = undeformed(loads), .rate = {}};
   look_ahead(path);
-  const double linear = path.rate.bending.row(0).cwiseAbs().maxCoeff();
+  const double linear = largest_deflection(plate_, path.rate.bending);
   if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);
   while (path.factor < 1 && advance(path, options, result)) {
   }
@@ -468,12 +501,13 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
   if (loads.heat.points() > 0)
-    result.stored_by_deflections = now.bending.cwiseProduct(product(loads.heat, now.bending)).sum() / 2;
+    result.stored_by_deflections = work(plate_, product(loads.heat, now.bending), now.bending) / 2;
   result.factor_bytes = path.bytes;
   if (contact_) {
     const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);
     result.touching.faces = contact_->rows().contacts((now.on_faces.array() > 0).select(0, openings), now.on_faces);
   }
+  result.largest_rotation = largest_of(plate_, now.bending.bottomRows(2).colwise().norm().maxCoeff());
   result.stretch = plane_.stretching().stretch(now.bending);
   result.membrane_forces = plane_.stretching().membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);

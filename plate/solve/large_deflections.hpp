@@ -45,13 +45,15 @@ struct LargeDeflections {
   Eigen::Matrix3Xd membrane_forces;
   TouchingFaces touching;  // its faces alone; none where contact was not asked for
   std::size_t iterations = 0, factor_bytes = 0;
+  double largest_rotation = 0;
   bool converged = false;
   std::string stop_reason;
 
   bool snapped() const;
 };
 
-/// Constraints of a plate in its plane, with pins that hold the rigid motions which no support prevents.
+/// Constraints of a plate in its plane, with pins that hold the rigid motions which no support prevents. Of a
+/// distributed plate, which supports hold, those of constraints_about().
 Constraints pinned(const Formulation& membrane);
 
 /// The middle plane of a plate (PlateLaw::membrane) in equilibrium with given deflections. Pins hold the rigid motions
