@@ -66,7 +66,9 @@ struct Found {
   post::Table frequencies{{"frequency"}, {}};
 };
 
+/// Nothing of modes, which have no fields in the plane.
 std::set<Drawn> drawn(const post::ResultsInMemory::Fields& frame) {
+  if (!frame.arrays.contains("displacement")) return {};
   const auto &x = frame.arrays.at("x").values, &u = frame.arrays.at("displacement").values,
              &N = frame.arrays.at("membrane_forces").values;
   std::set<Drawn> result;
