@@ -34,6 +34,16 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
   if (file.content.impact) check("impact.position", file.content.impact->position);
 }
 
+/// One process pins what no support holds in the plane of a plate with large deflections; several do not.
+void check_held_in_plane(const CaseFile& file, const plate::Discretised& plates, std::vector<Problem>& problems) {
+  const Case& c = file.content;
+  const bool solved = c.stretches && (!c.moves() || (c.initial && c.initial->deflection.given()));
+  if (solved && plates.plate->distributed() && !plates.membrane->held())
+    problems.push_back({file.place("support"), "support",
+                        "does not hold the plate in its plane, which several processes need for large deflections: set "
+                        "in_plane, or run it by one (pdplate)"});
+}
+
 }  // namespace
 
 void require_distributable(const CaseFile& file, int processes) {
@@ -55,6 +65,7 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   if (!may_fly && (parted || (result.membrane && plate::loaded_in_plane(c))))
     for (auto& problem : problems_of(file, plate::loose(*result.membrane))) problems.push_back(std::move(problem));
   check_places(file, plate, problems);
+  check_held_in_plane(file, result, problems);
   if (!problems.empty()) throw CaseError(problems);
   auto& warnings = result.warnings;
   warnings.insert(warnings.begin(), file.source.notes.begin(), file.source.notes.end());

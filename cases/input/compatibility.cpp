@@ -26,7 +26,6 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {moving_load, "a load that moves (`path`, `speed`)"},
     {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`, `mean`)"},
     {motion_in_plane, "motion under loads in the plane"},
-    {stressed_frequencies, "`analysis.kind = \"frequencies\"` under loads in the plane"},
     {growth_in_plane, "`[growth]` under loads in the plane"},
     {large_deflections, "`analysis.nonlinear`"},
     {large_deflections_in_motion, "`analysis.nonlinear` of a motion"},
@@ -235,7 +234,8 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, factors_to_accuracy, "srif.accuracy", of_linear},
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},
-    {large_deflections, processes, "analysis.nonlinear", by_one_process("large deflections cannot be found")},
+    {arc_length, processes, "analysis.control", by_one_process("paths by arc length cannot be followed")},
+    {constant_load, processes, "load", by_one_process("constant loads cannot be held")},
     {arc_length, touching_faces, "analysis.control",
      "\"arc_length\" follows smooth paths, and faces that open and close make kinks: choose \"load\", or remove "
      "cracks.contact"},
@@ -291,9 +291,6 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
-    {processes, buckling, "analysis.kind", by_one_process("\"buckling\" cannot be run")},
-    {processes, motion_in_plane, "load", by_one_process("motion under loads in the plane cannot be run")},
-    {processes, stressed_frequencies, "load", by_one_process("frequencies under loads in the plane cannot be found")},
     {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},
 };
 
@@ -361,7 +358,6 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   const bool in_plane = any_load([](const auto& load) { return load.in_plane(); });
   add(in_plane, load_in_plane);
   add((in_plane || content.coupled()) && moves, motion_in_plane);
-  add(in_plane && a.kind == Kind::frequencies, stressed_frequencies);
   add(in_plane && content.growth, growth_in_plane);
   add(a.nonlinear, large_deflections);
   add(a.nonlinear && moves, large_deflections_in_motion);

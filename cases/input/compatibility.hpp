@@ -25,7 +25,6 @@ enum class Part {
   moving_load,
   load_in_plane,
   motion_in_plane,  // three that several processes do not run
-  stressed_frequencies,
   growth_in_plane,
   large_deflections,
   large_deflections_in_motion,

@@ -66,8 +66,9 @@ std::unique_ptr<PlateAnalysis> stretched_motion(const ValidatedPlate& ready, Out
 
 /// Estimated errors of buckling factors, from those with twice the spacing: half the difference, as errors fall with
 /// the square of the spacing, and 1.5 times it beside the tips of cracks, where they fall with the spacing. Absent
-/// where no such plate, or mode, can be had.
-std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found);
+/// where no such plate, or mode, can be had. `all`: the ranks that share the plates.
+std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found,
+                                                      const plate::Communicator& all = plate::single_process());
 
 /// Frequencies and shapes of a plate, also under its membrane forces.
 std::unique_ptr<PlateAnalysis> frequencies(const ValidatedPlate& ready, Outputs& outputs);

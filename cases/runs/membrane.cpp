@@ -189,8 +189,7 @@ std::vector<std::string> warnings_about(const plate::LargeDeflections& found, do
         fmt::format("strain energy and work of the loads differ by {:.2g} %: the state may not be the one "
                     "that grows with the loads; see load_steps.csv",
                     100 * apart));
-  std::ranges::copy(warnings_about_rotations(found.bending.bottomRows(2).colwise().norm().maxCoeff()),
-                    std::back_inserter(lines));
+  std::ranges::copy(warnings_about_rotations(found.largest_rotation), std::back_inserter(lines));
   return lines;
 }
 

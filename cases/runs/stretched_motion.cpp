@@ -9,6 +9,7 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/stretched_motion.hpp"
@@ -63,6 +64,7 @@ plate::DynamicOptions StretchedMotionRun::options() {
   }
   if (begin.velocity.size() > 0) result.velocity = plate::stacked(begin.velocity, plate::zero_like(begin.velocity));
   result.impact = begin.impact;
+  result.own = both_.owned();
   if (analysis.damping) result.mass_damping = analysis.damping->mass;
   if (plate::has_prescribed_displacements(plate_)) result.unconstrained_mass = both_.unconstrained_mass();
   result.faces = both_.faces();
@@ -115,7 +117,8 @@ void StretchedMotionRun::observe(const plate::Instant& both) {
   plate::Forces on_bending;
   if (both_.act_on_each_other()) on_bending = both_.on_bending(both.state), now.stretched = &on_bending;
   if (both_.stretching())
-    largest_rotation_ = std::max(largest_rotation_, bending.bottomRows(2).colwise().norm().maxCoeff());
+    largest_rotation_ =
+        std::max(largest_rotation_, plate::largest_of(plate_, bending.bottomRows(2).colwise().norm().maxCoeff()));
   if (both.faces) touch(both);
   results_.in_plane(membrane_, in_plane(both, last));
   results_.sample(now, last);
@@ -177,9 +180,18 @@ std::optional<plate::MotionCheckpoint> StretchedMotionRun::restored() {
   });
   if (!found) return std::nullopt;
   std::array<plate::State, 4> parts;
-  std::vector<RestoredState> states;
-  for (auto& part : parts) states.push_back({&part});
-  states.push_back({&results_.state_of_largest()});
+  const auto impose = [](const plate::Formulation& plate) {
+    return [&plate](plate::State& state) { plate.constraints().impose(state); };
+  };
+  const auto impose_and_lift = [&](plate::State& state) {
+    plate_.constraints().impose(state);
+    if (const auto lift = plate::lift_at(plate_, results_.time_of_largest()); lift.cols() > 0) state += lift;
+  };
+  const std::vector<RestoredState> states{{&parts[0], impose(plate_)},
+                                          {&parts[1], impose(membrane_)},
+                                          {&parts[2]},
+                                          {&parts[3]},
+                                          {&results_.state_of_largest(), impose_and_lift}};
   put_values(plate_.boundary(), checkpoints_->parts(), states);
   result.state = plate::stacked(parts[0], parts[1]), result.velocity = plate::stacked(parts[2], parts[3]);
   return result;
@@ -195,7 +207,7 @@ void StretchedMotionRun::solve() {
   auto options = this->options();
   std::optional<plate::MotionCheckpoint> from;
   if (checkpoints_) {
-    options.due = [&] { return checkpoints_->due(); };
+    options.due = [&] { return plate::largest_of(plate_, checkpoints_->due()) > 0; };
     options.save = [&](const plate::MotionCheckpoint& now) { save(now); };
     if ((from = restored())) options.from = &*from;
   }

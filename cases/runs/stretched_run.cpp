@@ -7,6 +7,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
+#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
@@ -167,19 +168,20 @@ std::vector<plate::BucklingMode> buckling_modes(const Case& c, const plate::Form
                      : plate::buckling(plate, geometric, modes, tolerance);
 }
 
-/// Factors of the same case with all spacings twice as wide; none where no such plate can be had.
-std::vector<double> coarser_buckling(const Case& c) {
+/// Factors of the same case with all spacings twice as wide; none where no such plate can be had. A plate of too few
+/// points to be shared is made whole by every rank.
+std::vector<double> coarser_buckling(const Case& c, const plate::Communicator& all) {
   Case coarse = c;
   coarse.discretization = widened(c.discretization, 2);
   std::vector<double> result;
   try {
-    const auto made = plate::discretise(coarse);
+    const auto made = plate::discretise(coarse, all);
     if (!plate::loose(*made.plate).empty() || !plate::loose(*made.membrane).empty()) return result;
     const auto geometric = c.coupled() ? plate::coupled_prestress(*made.plate, *made.membrane).geometric
                                        : plate::prestress(*made.membrane);
     for (const auto& mode : buckling_modes(c, *made.plate, *made.membrane, geometric)) result.push_back(mode.factor);
   } catch (const plate::Refused&) {
-    return {};
+    return all.distributed() ? coarser_buckling(c, plate::single_process()) : std::vector<double>();
   } catch (const plate::NumericalError&) {
     return {};
   }
@@ -237,7 +239,7 @@ void BucklingRun::solve() {
   post::Progress progress(quiet(), "buckling");
   const auto geometric = content().coupled() ? coupled_prestress() : prestress();
   const auto found = buckling_modes(content(), plate_, *ready_.membrane, geometric);
-  const auto errors = errors_of_buckling(content(), found);
+  const auto errors = errors_of_buckling(content(), found, plate_.communicator());
   progress.done();
   stopwatch().lap("solve");
   summary.analysis.method = "lanczos";
@@ -276,10 +278,11 @@ std::unique_ptr<PlateAnalysis> coupled_plate(const ValidatedPlate& ready, Output
   return std::make_unique<CoupledRun>(ready, outputs);
 }
 
-std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found) {
+std::vector<std::optional<double>> errors_of_buckling(const Case& c, const std::vector<plate::BucklingMode>& found,
+                                                      const plate::Communicator& all) {
   if (found.empty()) return {};
   const double share = c.cracks.empty() ? 0.5 : 1.5;
-  const auto coarser = coarser_buckling(c);
+  const auto coarser = coarser_buckling(c, all);
   std::vector<std::optional<double>> result(found.size());
   for (std::size_t i = 0; i < std::min(found.size(), coarser.size()); ++i)
     result[i] = share * std::abs(found[i].factor - coarser[i]);

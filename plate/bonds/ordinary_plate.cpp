@@ -114,6 +114,7 @@ public:
   }
   std::unique_ptr<Formulation> middle_plane() const override;
   std::unique_ptr<Preconditioner> factor() const override;
+  Constraints constraints_about() const override;
   SingleForce single_precision() const override {
     return [rows = op_.single_rows(), elastic_supports = op_.elastic_supports()](const Values<float>& state,
                                                                                  Values<float>& force) {
@@ -130,6 +131,9 @@ public:
   std::optional<double> width_of_pins() const override { return plate::width_of_pins(problem(), cloud().units); }
 
 private:
+  /// Forces of a point, and of its image beyond an edge, are of what is two horizons away [spacings].
+  double reach_of_stiffness() const { return 4 * discretization().horizon_ratio + 2; }
+
   LatticeOperator op_;
   std::optional<MatchCounts> match_;
 };
@@ -143,11 +147,14 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
   if (!distributed()) return std::make_unique<AssembledPlate>(op_, constraints(), stiffness_matrix(op_, true));
-  // forces of a point, and of its image beyond an edge, are of what is two horizons away
-  const auto near =
-      surroundings(problem().outline, discretization(), boundary(), 4 * discretization().horizon_ratio + 2);
+  const auto near = surroundings(problem().outline, discretization(), boundary(), reach_of_stiffness());
   return std::make_unique<DistributedFactor>(op_, boundary(), stiffness_matrix(op_, true, near->known),
                                              near->exchange.get());
+}
+
+Constraints OrdinaryPlate::constraints_about() const {
+  const auto near = surroundings(problem().outline, discretization(), boundary(), reach_of_stiffness());
+  return near ? constraints().fetching(near->exchange) : constraints();
 }
 
 ChosenPreconditioner OrdinaryPlate::preconditioner(Preconditioning wanted) const {

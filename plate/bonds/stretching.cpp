@@ -1,6 +1,7 @@
 #include "plate/bonds/stretching.hpp"
 
 #include "plate/bonds/results.hpp"
+#include "plate/model/halo_exchange.hpp"
 #include "plate/model/section.hpp"
 
 namespace plate {
@@ -24,7 +25,7 @@ Eigen::Vector3d by_far_end(const PatternBond& bond, const Kinematics<>& k, const
   return {(j.w - k.w) / bond.length, -bond.mx, -bond.my};
 }
 
-/// The bonds of a plate in one state: elongations, and q = 2 A a theta of every point.
+/// The bonds of a plate in one state: elongations, and q = 2 A a theta of every point. Its constructor is collective.
 class StretchedBonds {
 public:
   StretchedBonds(const FamilyOperator& plate, const State& bending, const State& membrane)
@@ -35,6 +36,7 @@ public:
       for (const auto& bond : bonds_.of(k)) dilatation += bond.D_kj * elongation_of(k, bond);
       q_[k] = plate.dilatation_stiffness()[k] * dilatation;
     }
+    if (const auto& exchange = plate.part().exchange) exchange->fetch(std::span(q_.data(), std::size_t(q_.size())));
   }
 
   std::span<const PatternBond> of(std::size_t k) const {

@@ -39,7 +39,10 @@ public:
   PetscInverse(const PetscInverse&) = delete;
   PetscInverse& operator=(const PetscInverse&) = delete;
 
+  bool positive() const override { return negative_pivots_ == 0; }
+
   void apply(std::span<double> values) const override {
+    if (without_factor_) throw std::runtime_error(no_factor);
     double* entries = nullptr;
     require(VecGetArrayWrite(right_, &entries));
     for (std::size_t i = 0; i < values.size(); ++i) entries[i] = without_stiffness_[i] ? 0 : values[i];
@@ -77,7 +80,7 @@ private:
         const double* block = &rows.block[entries_per_block * b];
         require(MatSetValuesBlocked(matrix_, 1, &row, 1, &column, block, ADD_VALUES));
         for (std::size_t c = 0; column == row && c < unknowns_per_point; ++c)
-          if (block[(unknowns_per_point + 1) * c] > 0) without_stiffness_[index_by_points(k, c)] = false;
+          if (block[(unknowns_per_point + 1) * c] != 0) without_stiffness_[index_by_points(k, c)] = false;
       }
       std::array<double, 9> rest{};
       for (std::size_t c = 0; c < unknowns_per_point; ++c)
@@ -105,20 +108,29 @@ private:
     return failed == PC_NOERROR;
   }
 
-  /// MUMPS estimates the memory that a process needs, and some more is given: what it lacks it asks for by failing.
+  /// MUMPS estimates the memory that a process needs, and some more is given: what it lacks it asks for by failing. It
+  /// also fails where the last front of many processes is not positive.
   void factorise(MPI_Comm all) {
-    constexpr PetscInt more = 14;  // ICNTL(14): percent above the estimate
-    for (const PetscInt percent : {50, 200, 1000})
-      if (set_up(all, [&](PC inverse) {
-            require(PCSetType(inverse, PCCHOLESKY));
-            require(PCFactorSetMatSolverType(inverse, MATSOLVERMUMPS));
-            require(PCFactorSetUpMatSolverType(inverse));
-            Mat factor;
-            require(PCFactorGetMatrix(inverse, &factor));
-            require(MatMumpsSetIcntl(factor, more, percent));
-          }))
-        return;
-    throw std::runtime_error("MUMPS finds no factor of the stiffness");
+    constexpr PetscInt more = 14;                      // ICNTL(14): percent above the estimate
+    constexpr PetscInt error = 1, not_positive = -40;  // INFOG(1)
+    constexpr PetscInt negative = 12;                  // INFOG(12): negative pivots
+    for (const PetscInt percent : {50, 200, 1000}) {
+      Mat factor = nullptr;
+      const bool found = set_up(all, [&](PC inverse) {
+        require(PCSetType(inverse, PCCHOLESKY));
+        require(PCFactorSetMatSolverType(inverse, MATSOLVERMUMPS));
+        require(PCFactorSetUpMatSolverType(inverse));
+        require(PCFactorGetMatrix(inverse, &factor));
+        require(MatMumpsSetIcntl(factor, more, percent));
+      });
+      PetscInt code = 0;
+      require(MatMumpsGetInfog(factor, error, &code));
+      require(MatMumpsGetInfog(factor, negative, &negative_pivots_));
+      without_factor_ = !found;
+      if (code == not_positive) negative_pivots_ = 1;
+      if (found || code == not_positive) return;
+    }
+    throw std::runtime_error(no_factor);
   }
 
   /// The rigid motions: w = 1; w = x, theta_y = -1; w = y, theta_x = 1, orthogonal and of length 1.
@@ -149,7 +161,10 @@ private:
     for (auto& motion : motions) require(VecDestroy(&motion));
   }
 
-  PetscInt unknowns_;
+  static constexpr const char* no_factor = "MUMPS finds no factor of the stiffness";
+
+  PetscInt unknowns_, negative_pivots_ = 0;
+  bool without_factor_ = false;
   std::vector<char> without_stiffness_;
   Mat matrix_ = nullptr;
   KSP solver_ = nullptr;

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "plate/model/halo_exchange.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
 
 namespace plate {
@@ -190,6 +191,37 @@ void Constraints::share(const Communicator& communicator, std::vector<std::uint3
     sum.insert(sum.end(), ties_.begin() + std::ptrdiff_t(i), ties_.begin() + std::ptrdiff_t(end));
   }
   followers_ = sums(own, false), pending_followers_ = sums(pending, false);
+}
+
+void Constraints::share_stacked(const Constraints& plate, const Constraints& plane, std::size_t points) {
+  if (!plate.distributed()) return;
+  constexpr int bits = 32;  // of a number at its owner; the rank of the owner stands above
+  const auto own = std::int64_t(plate.rank());
+  std::vector<std::int64_t> owners(points);
+  for (std::size_t k = 0; k < points; ++k) owners[k] = own << bits | std::int64_t(k);
+  for (const auto k : plate.copies_) owners[k] = -1;
+  auto of_plane = owners;
+  plate.fetch(owners), plane.fetch(of_plane);
+  const auto points_of = gathered(*plate.communicator_, std::vector<std::uint32_t>{std::uint32_t(points)});
+  std::vector<std::uint32_t> ghosts = plate.copies_;
+  for (const auto k : plate.copies_) ghosts.push_back(std::uint32_t(points) + k);
+  std::vector<Copy> copies;
+  for (const std::uint32_t part : {0U, 1U})
+    for (const auto k : plate.copies_)
+      if (const auto there = std::max(owners[k], of_plane[k]); there >= 0) {
+        const auto owner = std::size_t(there >> bits);
+        copies.push_back({part * std::uint32_t(points) + k, int(owner),
+                          part * points_of[owner] + std::uint32_t(there & 0xffffffff)});
+      }
+  share(*plate.communicator_, std::move(ghosts), plate.communicator_->halo_exchange(2 * points, copies));
+}
+
+Constraints stacked(const Constraints& plate, const Constraints& plane, std::size_t points) {
+  Constraints result;
+  result.add(plate, 0), result.add(plane, std::uint32_t(points));
+  result.resolve();
+  result.share_stacked(plate, plane, points);
+  return result;
 }
 
 Constraints Constraints::fetching(std::shared_ptr<const HaloExchange> exchange) const {

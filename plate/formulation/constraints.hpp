@@ -42,6 +42,11 @@ public:
   /// Replaces chains of ties by ties to free leaders. Call once, after the last fix and tie.
   void resolve();
 
+  /// Shares resolved constraints of a plate and of the same points in their plane, which stand behind each other, as
+  /// those of both are shared: ghosts of either are ghosts of both. Collective; does nothing where one process holds
+  /// both.
+  void share_stacked(const Constraints& plate, const Constraints& plane, std::size_t points);
+
   /// Ties free degrees of freedom after resolve(). What they follow moves with no support.
   void tie_more(std::vector<std::pair<Dof, std::vector<Leader>>> ties);
 
@@ -125,6 +130,9 @@ private:
   const Communicator* communicator_ = &single_process();
   std::shared_ptr<const HaloExchange> exchange_;  // none where one process holds the plate
 };
+
+/// Resolved constraints of a plate and of the same points in their plane, which stand behind each other. Collective.
+Constraints stacked(const Constraints& plate, const Constraints& plane, std::size_t points);
 
 /// Halo exchange in progress: a state waits for the ghost values of points that other ranks own. As long as it lives,
 /// the state must stay where it is.

@@ -76,6 +76,10 @@ const Constraints& Formulation::constraints() const {
   return boundary().constraints;
 }
 
+Constraints Formulation::constraints_about() const {
+  return constraints();
+}
+
 const std::vector<double>& Formulation::cut() const {
   return layout_->cut;
 }
@@ -101,9 +105,12 @@ bool Formulation::held() const {
 }
 
 double Formulation::strain_energy(const State& state) const {
-  const Eigen::VectorXd of_points = energies(state);
-  return ordered_sum<1>(*this, std::size_t(of_points.size()), [&](std::size_t k) {
-    return std::array<double, 1>{boundary().owns(k) ? of_points[Eigen::Index(k)] : 0};
+  return sum_of_points(energies(state));
+}
+
+double Formulation::sum_of_points(const Eigen::VectorXd& values) const {
+  return ordered_sum<1>(*this, std::size_t(values.size()), [&](std::size_t k) {
+    return std::array<double, 1>{boundary().owns(k) ? values[Eigen::Index(k)] : 0};
   })[0];
 }
 

@@ -117,6 +117,8 @@ public:
   Forces total_load() const;                       // all loads at their last values together
   Forces first_load() const;                       // all loads as they are at time 0
   double strain_energy(const State& state) const;  // of all ranks
+  /// Sum of values of all points, each of the rank that owns it. Collective.
+  double sum_of_points(const Eigen::VectorXd& values) const;
   /// Mass per degree of freedom. `rotary`: factor of the rotary inertia.
   Forces mass(double rotary = 1) const;
   std::size_t bonds() const;             // directed, between points of the plate
@@ -179,6 +181,8 @@ public:
   /// Adds to a geometric stiffness, of membrane forces by the strains in the plane alone, those of the curvatures of a
   /// section that couples and the axial forces of stiffeners. Only of kinds that offer Feature::stretching.
   virtual PointMatrix with_coupling_forces(PointMatrix geometric, const State& bending, const State& in_plane) const;
+  /// The constraints, with a halo exchange of all points that the stiffness of owned points looks at.
+  virtual Constraints constraints_about() const;
 
 protected:
   explicit Formulation(Layout layout);

@@ -21,8 +21,8 @@ struct Copy {
   std::uint32_t of_owner;  // its number there
 };
 
-/// Rows of a symmetric matrix of 3 x 3 blocks that is positive but for rows of zeros, of the points of one process:
-/// all points are numbered process by process.
+/// Rows of a symmetric matrix of 3 x 3 blocks, positive or not but for rows of zeros, of the points of one process: all
+/// points are numbered process by process.
 struct DistributedRows {
   std::vector<std::size_t> first{0};  // where the blocks of a row begin [owned points + 1]
   std::vector<std::int64_t> column;   // numbers among all, ascending in every row
@@ -37,6 +37,8 @@ public:
   /// Applies the inverse to the unknowns of the rank's owned points [3 x points, point by point]. Collective: every
   /// rank must call it.
   virtual void apply(std::span<double> values) const = 0;
+  /// False where the matrix was factorised and is not positive.
+  virtual bool positive() const = 0;
 };
 
 /// Product y = A x of a symmetric matrix and a vector, of the unknowns of the rank. Collective.

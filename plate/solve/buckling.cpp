@@ -132,6 +132,7 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
 
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance) {
+  if (plate.distributed()) return distributed_buckling(plate, geometric, modes, tolerance);
   constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
   const auto folded_stiffness = folded(plate.stiffness(), plate.constraints());
   const Forces diagonal = folded_diagonal(plate, plate.constraints());

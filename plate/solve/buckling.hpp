@@ -42,6 +42,10 @@ Eigenvectors largest_eigenvectors(const Eigen::SparseMatrix<double>& A, const Ei
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance);
 
+/// The same of a distributed plate, by conjugate gradients in place of a factor. Collective.
+std::vector<BucklingMode> distributed_buckling(const Formulation& plate, const PointMatrix& geometric,
+                                               std::size_t modes, double tolerance);
+
 /// Geometric stiffness by the membrane forces of a flat plate at rest under its loads (PlateLaw::membrane).
 /// @throws NumericalError  where it is not in equilibrium
 PointMatrix prestress(const Formulation& membrane);

@@ -73,10 +73,11 @@ namespace {
 
 /// Global numbers of the points, rank by rank; -1 where their owner is not asked. `halo`: fetches those of ghosts.
 template <typename Halo>
-std::vector<std::int64_t> numbers(const Boundary& boundary, const std::vector<std::uint32_t>& own, const Halo& halo) {
-  const auto counts = gathered(boundary.map, std::vector<std::int64_t>{std::int64_t(own.size())});
-  auto next = std::accumulate(counts.begin(), counts.begin() + boundary.map.rank(), std::int64_t(0));
-  std::vector<std::int64_t> result(boundary.cloud.size(), -1);
+std::vector<std::int64_t> numbers(const PointMap& map, std::size_t points, const std::vector<std::uint32_t>& own,
+                                  const Halo& halo) {
+  const auto counts = gathered(map, std::vector<std::int64_t>{std::int64_t(own.size())});
+  auto next = std::accumulate(counts.begin(), counts.begin() + map.rank(), std::int64_t(0));
+  std::vector<std::int64_t> result(points, -1);
   for (const auto k : own) result[k] = next++;
   halo.fetch(result);
   return result;
@@ -88,12 +89,21 @@ struct Block {
   Eigen::Matrix3d entries;
 };
 
+/// Owned points of a plate, and, in a matrix of a plate and its plane, of those behind them.
+std::vector<std::uint32_t> owned_points(const Boundary& boundary, std::size_t points) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t k = 0; k < points; ++k)
+    if (boundary.owns(k % boundary.cloud.size())) result.push_back(k);
+  return result;
+}
+
 /// Rows of P^T K P of owned points, without what is held. `free`: degrees of freedom with stiffness are above 0.
 DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const std::vector<std::uint32_t>& own,
                      const std::vector<std::int64_t>& number, const State& free) {
   std::vector<std::vector<Block>> found(matrix.points());
+  const auto points = std::uint32_t(boundary.cloud.size());
   const auto add = [&](std::uint32_t row, std::uint32_t column, Eigen::Matrix3d entries) {
-    if (!boundary.owns(row)) return;
+    if (!boundary.owns(row % points)) return;
     for (Eigen::Index i = 0; i < unknowns_per_point; ++i)
       for (Eigen::Index j = 0; j < unknowns_per_point; ++j)
         if (!(free(i, row) > 0) || !(free(j, column) > 0)) entries(i, j) = 0;
@@ -119,7 +129,7 @@ DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const 
         for (Eigen::Index j = 0; j < unknowns_per_point; ++j) result.block.push_back(entries(i, j));
     }
     result.first.push_back(result.column.size());
-    const auto& x = boundary.cloud.positions[k];
+    const auto& x = boundary.cloud.positions[k % points];
     result.position.insert(result.position.end(), {x.x(), x.y()});
     found[k] = {};
   }
@@ -128,12 +138,28 @@ DistributedRows rows(const PointMatrix& matrix, const Boundary& boundary, const 
 
 }  // namespace
 
+Unknowns owned_unknowns(const Boundary& boundary, std::size_t points) {
+  Unknowns result;
+  for (const auto k : owned_points(boundary, points))
+    for (const auto& dof : dofs_of(k)) result.dof.push_back(dof);
+  return result;
+}
+
+std::unique_ptr<Factor> distributed_factor(PointMatrix folded, const Boundary& boundary, const Constraints& constraints,
+                                           State free, double shift) {
+  const auto own = owned_points(boundary, folded.points());
+  const auto number = numbers(boundary.map, folded.points(), own, constraints);
+  constraints.fetch(free);
+  for (std::size_t k = 0; k < folded.points(); ++k) folded.block[folded.first[k]].diagonal() *= 1 + shift;
+  return std::make_unique<Factor>(boundary.map.communicator->inverse(rows(folded, boundary, own, number, free)));
+}
+
 DistributedFactor::DistributedFactor(const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,
                                      const HaloExchange* seen)
-    : boundary_(boundary) {
-  for (std::uint32_t k = 0; k < boundary.cloud.size(); ++k)
-    if (boundary.owns(k)) own_.push_back(k);
-  const auto number = seen ? numbers(boundary, own_, *seen) : numbers(boundary, own_, boundary.constraints);
+    : boundary_(boundary), own_(owned_points(boundary, boundary.cloud.size())) {
+  const auto points = boundary.cloud.size();
+  const auto number =
+      seen ? numbers(boundary.map, points, own_, *seen) : numbers(boundary.map, points, own_, boundary.constraints);
   State free = folded_diagonal(plate, boundary.constraints);
   if (seen)
     seen->fetch(std::span(free.data(), std::size_t(free.size())));

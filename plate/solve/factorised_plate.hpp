@@ -33,6 +33,17 @@ private:
 /// The factor of a matrix (lower triangle) that is positive but for zeros, which are lifted.
 std::unique_ptr<Factor> factorised(const Eigen::SparseMatrix<double>& matrix);
 
+/// Unknowns of a factor that ranks share: all degrees of freedom of owned points, also held ones, which stay zero.
+/// `points`: those of the plate, or twice as many with its plane behind it.
+Unknowns owned_unknowns(const Boundary& boundary, std::size_t points);
+
+/// The factor of P^T K P that ranks share, of the points of a plate or of them and its plane. `constraints`: of these,
+/// and with a halo exchange of all points that those here are coupled to. `free`: above 0 where there is stiffness.
+/// `shift` times the diagonal is added. Collective.
+/// @throws NumericalError  where the matrix is not positive
+std::unique_ptr<Factor> distributed_factor(PointMatrix folded, const Boundary& boundary, const Constraints& constraints,
+                                           State free, double shift = 0);
+
 /// The unknowns of nodal forces, one after the other.
 Eigen::VectorXd gathered(const Unknowns& unknowns, const Forces& forces);
 

@@ -13,12 +13,15 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/interruption.hpp"
 #include "plate/solve/stretched_contact.hpp"
 
 namespace plate {
 namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
 
 /// Rigid motions of a piece in its plane, about a point, by a degree of freedom: u = theta_y, v = -theta_x.
 class MotionsInPlane {
@@ -127,11 +130,20 @@ PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
   return result;
 }
 
+/// Work of forces, which are not folded, on a state, over all ranks.
+double work(const Formulation& plate, const Forces& forces, const State& state) {
+  return plate.sum_of_points(forces.cwiseProduct(state).colwise().sum().transpose());
+}
+
 /// Displacement of the loads of a plate and of its plane: minus their potential, by their factor. The heat's is not
 /// linear in the deflections.
-double displacement_of(const PlateLoads& loads, const State& bending, const State& membrane) {
-  const double linear = loads.across.cwiseProduct(bending).sum() + loads.in_plane.cwiseProduct(membrane).sum();
-  return loads.heat.points() == 0 ? linear : linear - bending.cwiseProduct(product(loads.heat, bending)).sum() / 2;
+double displacement_of(const Formulation& plate, const PlateLoads& loads, const State& bending, const State& membrane) {
+  const double linear = work(plate, loads.across, bending) + work(plate, loads.in_plane, membrane);
+  return loads.heat.points() == 0 ? linear : linear - work(plate, product(loads.heat, bending), bending) / 2;
+}
+
+double largest_deflection(const Formulation& plate, const State& bending) {
+  return largest_of(plate, bending.row(0).cwiseAbs().maxCoeff());
 }
 
 /// The solution of a factor for folded forces.
@@ -169,6 +181,7 @@ double integral(const std::array<double, 2>& of, const std::array<double, 2>& of
 }  // namespace
 
 Constraints pinned(const Formulation& membrane) {
+  if (membrane.distributed()) return membrane.constraints_about();
   Constraints result;
   result.add(membrane.constraints(), 0);
   for (const auto& pin : pins_of(membrane)) result.fix(pin);
@@ -196,6 +209,11 @@ MiddlePlane::MiddlePlane(const Formulation& membrane, const Forces& bending)
     : stretching_(membrane.stretching()), constraints_(pinned(membrane)) {
   const auto stiffness = folded(membrane.stiffness(), constraints_);
   diagonal_ = free_diagonal(stiffness, constraints_);
+  if (membrane.distributed()) {
+    unknowns_ = owned_unknowns(membrane.boundary(), membrane.points());
+    factor_ = distributed_factor(stiffness, membrane.boundary(), constraints_, diagonal_);
+    return;
+  }
   order_ = elimination_order(stiffness, bending.cols() > 0 ? Forces(diagonal_ + bending) : diagonal_);
   unknowns_ = unknowns(diagonal_, order_);
   factor_ = factorised(of_unknowns(stiffness, unknowns_));
@@ -246,8 +264,9 @@ double linear_theory_off(const Formulation& plate, const Formulation& membrane, 
   if (!(bent > 0)) return 0;
   const MiddlePlane plane(membrane);
   const State displacements = plane.displacements(bending, zero_like(bending));
-  const double stretched = plane.stretching().energies(bending, displacements).sum();
-  const double by_load = -displacement_of({zero_like(bending), loads.in_plane, loads.heat}, bending, displacements);
+  const double stretched = membrane.sum_of_points(plane.stretching().energies(bending, displacements));
+  const double by_load =
+      -displacement_of(plate, {zero_like(bending), loads.in_plane, loads.heat}, bending, displacements);
   return 1 / scale_of_least_energy(1 + by_load / bent, 2 * stretched / bent) - 1;
 }
 
@@ -270,8 +289,12 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
       plane_(membrane, diagonal_),
       weight_(diagonal_.unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; })) {
   const auto points = std::uint32_t(plate.points());
-  of_both_.add(plate.constraints(), 0), of_both_.add(plane_.constraints(), points);
-  of_both_.resolve();
+  of_both_ =
+      stacked(plate.distributed() ? plate.constraints_about() : plate.constraints(), plane_.constraints(), points);
+  if (plate.distributed()) {
+    unknowns_ = owned_unknowns(plate.boundary(), 2 * plate.points());
+    return;
+  }
   // the unknowns of a point and of the same point in its plane stand together
   std::vector<int> both;
   for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
@@ -284,7 +307,7 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
 StretchedPlate::~StretchedPlate() = default;
 
 double StretchedPlate::norm(const Forces& forces) const {
-  return std::sqrt((forces.array().square() * weight_.array()).sum());
+  return std::sqrt(sum_of_all(plate_, (forces.array().square() * weight_.array()).sum()));
 }
 
 /// `on_faces`: an estimate of the contact forces.
@@ -304,30 +327,40 @@ StretchedPlate::Now StretchedPlate::at(const PlateLoads& loads, const State& ben
   if (contact_) contact_->rows().press(now.on_faces, now.left, on_membrane);
   plate_.constraints().fold(now.left);
   now.bending_energy = plate_.strain_energy(now.bending);
-  now.membrane_energy = plane_.stretching().energies(now.bending, now.membrane).sum();
-  now.potential = -factor * displacement_of(loads, now.bending, now.membrane);
-  if (loads.constant) now.potential -= displacement_of(*loads.constant, now.bending, now.membrane);
+  now.membrane_energy = plate_.sum_of_points(plane_.stretching().energies(now.bending, now.membrane));
+  now.potential = -factor * displacement_of(plate_, loads, now.bending, now.membrane);
+  if (loads.constant) now.potential -= displacement_of(plate_, *loads.constant, now.bending, now.membrane);
   now.residual = norm(now.left);
   if (!std::isfinite(now.energy()) || !std::isfinite(now.residual))
     throw NumericalError(fmt::format("large deflections: not finite at a load factor of {:.3g}", factor));
   return now;
 }
 
-/// The stiffness there, of the unknowns.
-Eigen::SparseMatrix<double> StretchedPlate::stiffness(const Now& now, const PlateLoads& loads, double factor) const {
-  auto matrix = with_first(bending_, plane_.stretching().stiffness(now.bending, now.membrane));
+/// The stiffness there, folded.
+PointMatrix StretchedPlate::stiffness(const Now& now, const PlateLoads& loads, double factor) const {
+  State both = stacked(now.bending, now.membrane);
+  if (plate_.distributed()) of_both_.impose(both);  // of all that the stiffness looks at
+  auto matrix = with_first(bending_, plane_.stretching().stiffness(of_plate(both), of_plane(both)));
   if (loads.heat.points() > 0) add(loads.heat, factor, matrix);
   if (loads.constant && loads.constant->heat.points() > 0) add(loads.constant->heat, 1, matrix);
-  return of_unknowns(folded(std::move(matrix), of_both_), unknowns_);
+  return folded(std::move(matrix), of_both_);
 }
 
 /// The factor of the stiffness there, with the least share of its diagonal that makes it positive.
 std::unique_ptr<Factor> StretchedPlate::tangent(const Now& now, const PlateLoads& loads, double factor,
                                                 double& shift) const {
   constexpr double first = 1e-4, growth = 10, most = 1e4;
-  const auto lower = stiffness(now, loads, factor);
+  auto matrix = stiffness(now, loads, factor);
+  const bool shared = plate_.distributed();
+  const auto lower = shared ? Matrix() : of_unknowns(matrix, unknowns_);
+  if (!shared) matrix = {};
+  const auto factorised = [&] {
+    return shared
+               ? distributed_factor(matrix, plate_.boundary(), of_both_, stacked(diagonal_, plane_.diagonal()), shift)
+               : std::make_unique<Factor>(lower, shift);
+  };
   for (shift = 0;; shift = shift == 0 ? first : growth * shift) try {
-      return std::make_unique<Factor>(lower, shift);
+      return factorised();
     } catch (const NumericalError&) {
       if (shift > most) throw;
     }
@@ -444,7 +477,7 @@ void StretchedPlate::look_ahead(Path& path) const {
   const auto inverse = tangent(path.now, *path.loads, path.factor, shift);
   const auto loads = by_factor(*path.loads, path.now.bending);
   path.rate = rate(*inverse, path.now, loads);
-  path.along = displacement_of(loads, path.rate.bending, path.rate.membrane);
+  path.along = displacement_of(plate_, loads, path.rate.bending, path.rate.membrane);
   path.bytes = inverse->bytes(), path.stable = shift == 0;
 }
 
@@ -452,8 +485,8 @@ void StretchedPlate::look_ahead(Path& path) const {
 /// where they grow with its third power, as with the stretching of a plate. Where hardly anything moves the loads
 /// before, as heat does not until the plate buckles, the line of the end.
 double StretchedPlate::work_between(const Path& before, const Path& after) const {
-  const double moved = displacement_of(*after.loads, after.now.bending, after.now.membrane) -
-                       displacement_of(*after.loads, before.now.bending, before.now.membrane);
+  const double moved = displacement_of(plate_, *after.loads, after.now.bending, after.now.membrane) -
+                       displacement_of(plate_, *after.loads, before.now.bending, before.now.membrane);
   const double mean = moved * (before.factor + after.factor) / 2;
   if (!(before.along > 0) || !(after.along > 0)) return mean;
   const double hermite = mean + moved * moved * (1 / before.along - 1 / after.along) / 12;
@@ -465,8 +498,8 @@ double StretchedPlate::work_between(const Path& before, const Path& after) const
 double StretchedPlate::work_of_constant(const Path& before, const Path& after) const {
   const auto* loads = after.loads->constant;
   if (!loads) return 0;
-  return displacement_of(*loads, after.now.bending, after.now.membrane) -
-         displacement_of(*loads, before.now.bending, before.now.membrane);
+  return displacement_of(plate_, *loads, after.now.bending, after.now.membrane) -
+         displacement_of(plate_, *loads, before.now.bending, before.now.membrane);
 }
 
 /// Finds the next equilibrium; false where there is none within the least step.
@@ -483,7 +516,7 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     const bool found = iterate(next, *path.loads, options, step);
     result.iterations += step.iterations;
     if (!found) continue;
-    step.largest_deflection = next.bending.row(0).cwiseAbs().maxCoeff();
+    step.largest_deflection = largest_deflection(plate_, next.bending);
     step.strain_energy = next.bending_energy + next.membrane_energy;
     const Path before = path;
     path.now = std::move(next), path.factor = step.factor;
@@ -507,7 +540,7 @@ StretchedPlate::Now StretchedPlate::undeformed(const PlateLoads& loads) const {
 void StretchedPlate::grow(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const {
   constexpr double far = 2;  // thicknesses, of the first step by linear theory
   look_ahead(path);
-  const double linear = path.rate.bending.row(0).cwiseAbs().maxCoeff();
+  const double linear = largest_deflection(plate_, path.rate.bending);
   if (linear > 0) path.step = std::min(1.0, far * plate_.section().thickness / linear);
   while (path.factor < 1 && advance(path, options, result)) {
   }
@@ -534,11 +567,11 @@ struct StretchedPlate::Arc {
 /// The direction of the path from an equilibrium on, the way that another one went.
 StretchedPlate::Arc StretchedPlate::look_along(Path& path, const Arc& before) const {
   const double h = plate_.section().thickness;
-  const auto inverse = Factor::of_any_sign(stiffness(path.now, *path.loads, path.factor));
+  const auto inverse = Factor::of_any_sign(of_unknowns(stiffness(path.now, *path.loads, path.factor), unknowns_));
   const auto loads = by_factor(*path.loads, path.now.bending);
   const State both = displacements(inverse, unknowns_, of_both_, stacked(loads.across, loads.in_plane));
   Arc result{of_plate(both)};
-  result.moved = displacement_of(loads, result.bending, of_plane(both));
+  result.moved = displacement_of(plate_, loads, result.bending, of_plane(both));
   const double length = std::sqrt(result.dot(result.bending, 1, h));
   const double share = (before.dot(result.bending, 1, h) < 0 ? -1 : 1) / length;
   result.bending *= share, result.factor = share, result.moved *= share, result.step = before.step;
@@ -559,7 +592,7 @@ bool StretchedPlate::correct(Path& path, const Arc& normal, const LargeDeflectio
     if (step.residual <= options.tolerance) return true;
     if (first == 0) first = step.residual;
     if (step.iterations >= most || !(step.residual < beyond * first)) return false;
-    const auto lower = stiffness(path.now, *path.loads, path.factor);
+    const auto lower = of_unknowns(stiffness(path.now, *path.loads, path.factor), unknowns_);
     State change, by_load;
     try {
       const auto inverse = Factor::of_any_sign(lower);
@@ -582,8 +615,8 @@ bool StretchedPlate::correct(Path& path, const Arc& normal, const LargeDeflectio
 /// constant ones exactly.
 double StretchedPlate::work_along(const Path& before, const Path& after, const Arc& first, const Arc& last) const {
   const auto& loads = *before.loads;
-  const auto of = [](const PlateLoads& some, const Path& path) {
-    return displacement_of(some, path.now.bending, path.now.membrane);
+  const auto of = [&](const PlateLoads& some, const Path& path) {
+    return displacement_of(plate_, some, path.now.bending, path.now.membrane);
   };
   return work_of_constant(before, after) + integral({before.factor, after.factor}, {first.factor, last.factor},
                                                     {of(loads, before), of(loads, after)}, {first.moved, last.moved},
@@ -710,12 +743,13 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   }
   for (const auto* some : {&loads, loads.constant})
     if (some && some->heat.points() > 0)
-      result.stored_by_deflections += now.bending.cwiseProduct(product(some->heat, now.bending)).sum() / 2;
+      result.stored_by_deflections += work(plate_, product(some->heat, now.bending), now.bending) / 2;
   result.factor_bytes = path.bytes;
   if (contact_) {
     const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);
     result.touching.faces = contact_->rows().contacts((now.on_faces.array() > 0).select(0, openings), now.on_faces);
   }
+  result.largest_rotation = largest_of(plate_, now.bending.bottomRows(2).colwise().norm().maxCoeff());
   result.stretch = plane_.stretching().stretch(now.bending);
   result.membrane_forces = plane_.stretching().membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);

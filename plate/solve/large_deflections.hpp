@@ -55,6 +55,7 @@ struct LargeDeflections {
   TouchingFaces touching;      // its faces alone; none where contact was not asked for
   std::vector<double> limits;  // load factors of limit points of a path by arc length, between its steps
   std::size_t iterations = 0, factor_bytes = 0;
+  double largest_rotation = 0;
   bool converged = false;
   std::string stop_reason;
 
@@ -62,7 +63,8 @@ struct LargeDeflections {
   bool snapped() const;
 };
 
-/// Constraints of a plate in its plane, with pins that hold the rigid motions which no support prevents.
+/// Constraints of a plate in its plane, with pins that hold the rigid motions which no support prevents. Of a
+/// distributed plate, which supports hold, those of constraints_about().
 Constraints pinned(const Formulation& membrane);
 
 /// The middle plane of a plate (PlateLaw::membrane) in equilibrium with given deflections. Pins hold the rigid motions
@@ -134,7 +136,7 @@ private:
   struct Way;
   Now at(const PlateLoads& loads, const State& bending, double factor, const Eigen::VectorXd& on_faces) const;
   Now undeformed(const PlateLoads& loads) const;
-  Eigen::SparseMatrix<double> stiffness(const Now& now, const PlateLoads& loads, double factor) const;
+  PointMatrix stiffness(const Now& now, const PlateLoads& loads, double factor) const;
   std::unique_ptr<Factor> tangent(const Now& now, const PlateLoads& loads, double factor, double& shift) const;
   Way step(const Factor& tangent, const Now& now) const;
   Way rate(const Factor& tangent, const Now& now, const PlateLoads& loads) const;

@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
 
 namespace plate {
@@ -109,10 +110,19 @@ Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool posi
   if (h.common->status != CHOLMOD_OK) throw NumericalError("factorisation: the stiffness is not positive");
 }
 
+Factor::Factor(std::unique_ptr<const DistributedInverse> shared) : shared_(std::move(shared)) {
+  if (!shared_->positive()) throw NumericalError("factorisation: the stiffness is not positive");
+}
+
 Factor::~Factor() = default;
 Factor::Factor(Factor&&) noexcept = default;
 
 Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
+  if (shared_) {
+    Eigen::MatrixXd result = right;
+    for (auto column : result.colwise()) shared_->apply({column.data(), std::size_t(column.size())});
+    return result;
+  }
   auto& h = *handle_;
   const OneThread one_thread;
   cholmod_dense b{};
@@ -133,6 +143,7 @@ std::size_t Factor::negative() const {
 }
 
 std::size_t Factor::bytes() const {
+  if (shared_) return 0;  // the libraries do not say
   const auto& factor = *handle_->factor;
   if (!factor.is_super) return factor.nzmax * (sizeof(double) + sizeof(int));
   return factor.xsize * sizeof(double) + factor.ssize * sizeof(int);

@@ -7,9 +7,14 @@
 
 namespace plate {
 
-/// Cholesky factor of a sparse, symmetric, positive definite matrix (CHOLMOD, supernodal).
+class DistributedInverse;
+
+/// Cholesky factor of a sparse, symmetric, positive definite matrix (CHOLMOD, supernodal), or of one that ranks share.
 class Factor {
 public:
+  /// The factor of the rows of all ranks; its unknowns here are those of the points that the rank owns, point by point.
+  /// Throws NumericalError where the matrix is not positive.
+  explicit Factor(std::unique_ptr<const DistributedInverse> shared);
   /// `lower`: the lower triangle, its unknowns in the order of elimination. `shift` times the diagonal is added to it.
   /// Throws NumericalError where the matrix is not positive.
   explicit Factor(const Eigen::SparseMatrix<double>& lower, double shift = 0);
@@ -31,7 +36,8 @@ private:
   struct Handle;
   Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool positive);
 
-  std::unique_ptr<Handle> handle_;
+  std::unique_ptr<Handle> handle_;                    // null where ranks share the matrix
+  std::unique_ptr<const DistributedInverse> shared_;  // null elsewhere
 };
 
 /// The points that have unknowns (`diagonal` is positive there) in an order of elimination with little fill, children

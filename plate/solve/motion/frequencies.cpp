@@ -166,20 +166,6 @@ void find(Inverse& inverse, Index count, double tolerance) {
   }
 }
 
-/// The state with the largest |w| of 1, or as it is where nothing but rotations moves.
-State normalized(const Constraints& constraints, State state) {
-  if (constraints.distributed()) {
-    const double high = largest_of(constraints, state.row(0).maxCoeff()),
-                 low = largest_of(constraints, -state.row(0).minCoeff());
-    if (std::max(high, low) > 0) state /= high >= low ? high : -low;
-    return state;
-  }
-  Index at = 0;
-  const double w = state.row(0).cwiseAbs().maxCoeff(&at);
-  if (w > 0) state /= state(0, at);
-  return state;
-}
-
 /// Frequency and residual of M^(1/2) q.
 class Pairs {
 public:
@@ -225,6 +211,19 @@ private:
 };
 
 }  // namespace
+
+State normalized(const Constraints& constraints, State state) {
+  if (constraints.distributed()) {
+    const double high = largest_of(constraints, state.row(0).maxCoeff()),
+                 low = largest_of(constraints, -state.row(0).minCoeff());
+    if (std::max(high, low) > 0) state /= high >= low ? high : -low;
+    return state;
+  }
+  Index at = 0;
+  const double w = state.row(0).cwiseAbs().maxCoeff(&at);
+  if (w > 0) state /= state(0, at);
+  return state;
+}
 
 double shift_of(const Section& section, double length) {
   return section.bending_stiffness() / section.mass() * std::pow(std::numbers::pi / length, 4);

@@ -27,6 +27,9 @@ struct Mode {
   double share_in_plane = 0;  // of the kinetic energy
 };
 
+/// The state with the largest |w| of 1, or as it is where nothing but rotations moves. Collective.
+State normalized(const Constraints& constraints, State state);
+
 struct FrequencySolution {
   std::vector<Mode> modes;     // ascending
   std::size_t solutions = 0;   // of (K + sigma M) q = f

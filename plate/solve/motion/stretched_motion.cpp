@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/model/errors.hpp"
@@ -31,13 +32,11 @@ Forces mass_in_plane(const Formulation& plate) {
 StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary)
     : plate_(plate),
       membrane_(membrane),
+      constraints_(stacked(plate.constraints(), membrane.constraints(), plate.points())),
       unconstrained_mass_(stacked(plate::unconstrained_mass(plate, rotary), mass_in_plane(plate))) {
   if (plate.problem().stretches) stretching_ = membrane.stretching();
   if (plate.problem().coupled())
     coupling_ = plate.coupling(), linear_ = CoupledPlate::stiffness(plate, membrane, coupling_);
-  constraints_.add(plate.constraints(), 0);
-  constraints_.add(membrane.constraints(), std::uint32_t(plate.points()));
-  constraints_.resolve();
   if (!plate.problem().faces_touch()) return;
   pairs_ = plate.face_pairs();
   const Forces mass = this->mass();
@@ -114,7 +113,7 @@ Forces StretchedMotion::load_in_plane(double time) const {
 
 double StretchedMotion::energy_in_plane(const State& state) const {
   const State membrane = of_plane(state);
-  if (stretching_) return stretching_->energies(of_plate(state), membrane).sum();
+  if (stretching_) return membrane_.sum_of_points(stretching_->energies(of_plate(state), membrane));
   const double alone = membrane_.strain_energy(membrane);
   return linear_ ? alone + of_plate(state).cwiseProduct(product(coupling_, membrane)).sum() : alone;
 }
@@ -126,6 +125,12 @@ double StretchedMotion::coupling_energy(const State& state) const {
 
 double StretchedMotion::strain_energy(const State& state) const {
   return plate_.strain_energy(of_plate(state)) + energy_in_plane(state);
+}
+
+std::vector<char> StretchedMotion::owned() const {
+  auto result = plate_.boundary().map.owned;
+  result.insert(result.end(), result.begin(), result.end());
+  return result;
 }
 
 TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts) const {
@@ -181,7 +186,8 @@ double stable_time_step(const Formulation& plate, const Formulation& membrane, d
     }
     Forces mass = mass_in_plane(plate);
     membrane.constraints().fold_diagonal(mass);
-    return std::min(stable_time_step(plate, rotary), stable_time_step(membrane, membrane.constraints(), mass));
+    return std::min(stable_time_step(plate, rotary),
+                    stable_time_step(membrane, membrane.constraints(), mass, start_by_place(membrane)));
   };
   const double limit = of_linear();
   return plate.problem().stretches ? stretching * limit : limit;

@@ -35,6 +35,8 @@ public:
   /// Mass of every degree of freedom, carried over to the free ones or not. u and v have that of w.
   Forces mass() const;
   const Forces& unconstrained_mass() const { return unconstrained_mass_; }
+  /// True of points that the rank owns, of the plate and in its plane [2 x points]; empty: all.
+  std::vector<char> owned() const;
   std::vector<TimedLoad> loads() const;
   /// Loads in the plane at a time [3 x points].
   Forces load_in_plane(double time) const;
@@ -68,11 +70,11 @@ public:
 private:
   const Formulation& plate_;
   const Formulation& membrane_;
-  std::unique_ptr<const Stretching> stretching_;
   PointMatrix coupling_;                    // without points where bending and stretching are not coupled
   std::unique_ptr<const Operator> linear_;  // the stiffness where they are
   Constraints constraints_;
   Forces unconstrained_mass_;
+  std::unique_ptr<const Stretching> stretching_;
   std::vector<FacePair> pairs_;
   std::vector<MovingPair> faces_;
 };

@@ -94,16 +94,11 @@ std::vector<Sample> samples() {
 std::vector<Sample> samples_in_plane() {
   const std::string traction = "{ kind = 'edge_traction', edges = ['right'], value = 1 }";
   const Settings moving{{"analysis.kind", "dynamic"}, {"analysis.duration", "0.5"}, {"section.density", "1"}};
-  const Settings vibrates{{"analysis.kind", "frequencies"},
-                          {"analysis.modes", "2"},
-                          {"section.density", "1"},
-                          {"discretization.formulation", "galerkin"}};
   const Settings grows{{"growth.fracture_energy", "1"}, {"discretization.formulation", "galerkin"}};
   const Settings bends{{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}};
   return {{arc_length, joined(bends, {{"analysis.control", "arc_length"}})},
           {constant_load, bends, "{ kind = 'pressure', value = 1, constant = true }"},
           {motion_in_plane, moving, traction},
-          {stressed_frequencies, vibrates, traction},
           {growth_in_plane, grows, traction}};
 }
 

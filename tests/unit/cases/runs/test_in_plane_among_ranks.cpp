@@ -1,4 +1,4 @@
-// Loads in the plane at rest by several processes, as threads of one.
+// Loads in the plane by several processes, as threads of one.
 #include <mutex>
 #include <set>
 
@@ -35,6 +35,26 @@ std::vector<std::string> with_cases() {
   return result;
 }
 
+/// Settings of the strip for another analysis, in coarse points.
+std::vector<std::string> analysed(const std::string& analysis, bool bonds) {
+  auto result = one_load;
+  std::erase_if(result, [](const std::string& one) { return one.starts_with("analysis"); });
+  result.push_back("analysis=" + analysis);
+  result.emplace_back(bonds ? "discretization.formulation=ordinary" : "discretization.formulation=galerkin");
+  result.emplace_back(bonds ? "discretization.spacing=0.0625" : "discretization.spacing=0.1");
+  return result;
+}
+
+/// Settings of the strip for its modes under a pressure at its top, without what acts across it.
+std::vector<std::string> with_modes(const std::string& analysis, bool bonds) {
+  auto result = analysed(analysis, bonds);
+  std::erase_if(result, [](const std::string& one) {
+    return one.starts_with("load") || one.starts_with("srif") || one.starts_with("output");
+  });
+  result.insert(result.end(), {"load=[{kind='edge_traction',edges=['top'],value=-1}]", "section.density=1"});
+  return result;
+}
+
 /// Position, u, v, Nxx, Nyy, Nxy of a vertex of the drawing.
 using Drawn = std::array<double, 7>;
 
@@ -43,9 +63,12 @@ struct Found {
   std::map<std::string, post::Table> numbers;
   std::vector<std::set<Drawn>> frames;
   std::vector<std::string> warnings;
+  post::Table frequencies{{"frequency"}, {}};
 };
 
+/// Nothing of modes, which have no fields in the plane.
 std::set<Drawn> drawn(const post::ResultsInMemory::Fields& frame) {
+  if (!frame.arrays.contains("displacement")) return {};
   const auto &x = frame.arrays.at("x").values, &u = frame.arrays.at("displacement").values,
              &N = frame.arrays.at("membrane_forces").values;
   std::set<Drawn> result;
@@ -66,6 +89,7 @@ Found found(const cases::CaseFile& file, int processes) {
     for (std::size_t i = 0; i < own.frames.size(); ++i) result.frames[i].merge(drawn(own.frames[i]));
     if (all.rank() > 0) return;
     result.warnings = summary.warnings;
+    for (const auto& mode : summary.frequencies) result.frequencies.rows.push_back({mode.frequency});
     for (const auto& [name, table] : own.tables)
       result.tables[name] = post::csv_text(table), result.numbers[name] = table;
   };
@@ -123,4 +147,66 @@ TEST_CASE("a plate in parts: loads in the plane beside bending, tables and field
   CHECK(beside("probes", {"w", "u", "v"}) < 1e-11);                                   // measured 3.0e-13
   CHECK(beside("srif", {"K1", "N1", "N2"}) < 1e-10);                                  // measured 6.9e-12
   CHECK(beside("reactions", {"force"}) < 1e-12);                                      // measured 2.3e-14
+}
+
+TEST_CASE("a plate in parts: motion under loads in the plane, with small and with large deflections") {
+  const bool nonlinear = GENERATE(false, true), bonds = GENERATE(false, true);
+  const std::string more = nonlinear ? ",nonlinear=true" : "";
+  auto settings = analysed("{kind='dynamic',method='central_difference',duration=0.1" + more + "}", bonds);
+  settings.insert(settings.end(), {"section.density=1", "output.history_every=0.02"});
+  INFO((bonds ? "bonds" : "Galerkin") << more);
+  const auto file = read(plain, settings);
+  const auto ordinary = found(file, 0), one = found(file, 1);
+  REQUIRE(one.numbers.at("history").rows.size() == 6);
+  for (const int processes : {2, 3}) {
+    if (bonds && processes == 3) continue;  // too few rows
+    INFO(processes << " processes");
+    const auto many = found(file, processes);
+    CHECK(many.tables == one.tables);
+    CHECK(many.frames == one.frames);
+    CHECK(many.warnings == one.warnings);
+  }
+  const auto beside = [&](const char* table, const std::vector<std::string>& columns) {
+    return apart(ordinary.numbers.at(table), one.numbers.at(table), columns);
+  };
+  CHECK(beside("history", {"strain_energy", "kinetic_energy", "external_work", "max_abs_w"}) < 1e-11);
+  CHECK(beside("probes", {"w", "u", "v"}) < 1e-11);
+}
+
+TEST_CASE("a plate in parts: frequencies under loads in the plane and buckling") {
+  const bool bonds = GENERATE(false, true);
+  INFO((bonds ? "bonds" : "Galerkin"));
+  const auto vibrating = read(plain, with_modes("{kind='frequencies',modes=3,tolerance=1e-8}", bonds)),
+             buckling = read(plain, with_modes("{kind='buckling',modes=3,tolerance=1e-8}", bonds));
+  const auto frequencies = found(vibrating, 0), factors = found(buckling, 0);
+  REQUIRE(frequencies.frequencies.rows.size() == 3);
+  REQUIRE(factors.numbers.at("buckling").rows.size() == 3);
+  for (const int processes : {1, 2}) {
+    INFO(processes << " processes");
+    CHECK(apart(frequencies.frequencies, found(vibrating, processes).frequencies, {"frequency"}) < 1e-11);
+    const auto many = found(buckling, processes);
+    CHECK(apart(factors.numbers.at("buckling"), many.numbers.at("buckling"), {"factor"}) < 1e-11);
+    CHECK(many.warnings == factors.warnings);
+  }
+}
+
+TEST_CASE("a plate in parts: large deflections at rest") {
+  const bool bonds = GENERATE(false, true);
+  INFO((bonds ? "bonds" : "Galerkin"));
+  auto settings = analysed("{kind='static',nonlinear=true,tolerance=1e-10}", bonds);
+  settings.emplace_back(
+      "support=[{kind='simply_supported',edges=['bottom'],in_plane='fixed'},{kind='simply_supported',edges=['top']}]");
+  const auto file = read(plain, settings);
+  const auto ordinary = found(file, 0);
+  for (const int processes : {1, 2}) {
+    INFO(processes << " processes");
+    const auto many = found(file, processes);
+    CHECK(many.numbers.at("load_steps").rows.size() == ordinary.numbers.at("load_steps").rows.size());
+    CHECK(many.warnings == ordinary.warnings);
+    const auto beside = [&](const char* table, const std::vector<std::string>& columns) {
+      return apart(ordinary.numbers.at(table), many.numbers.at(table), columns);
+    };
+    CHECK(beside("history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-9);
+    CHECK(beside("probes", {"w", "u", "v"}) < 1e-9);
+  }
 }

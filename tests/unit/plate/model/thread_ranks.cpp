@@ -94,13 +94,15 @@ public:
     std::vector<Eigen::Triplet<double>> triplets;
     for (const auto& e : plate::gathered(all, entries)) triplets.emplace_back(int(e.row), int(e.column), e.value);
     matrix.setFromTriplets(triplets.begin(), triplets.end());
-    without_stiffness_ = Eigen::VectorXd(matrix.diagonal()).array() <= 0;
+    without_stiffness_ = Eigen::VectorXd(matrix.diagonal()).array() == 0;
     for (int i = 0; i < size; ++i)
       if (without_stiffness_[i]) matrix.coeffRef(i, i) = 1;
     const Eigen::SparseMatrix<double> skew = matrix - Eigen::SparseMatrix<double>(matrix.transpose());
     if (!(skew.norm() < 1e-12 * matrix.norm())) throw std::logic_error("the rows are not those of a symmetric matrix");
     factor_.compute(matrix);
   }
+
+  bool positive() const override { return (factor_.vectorD().array() > 0).all(); }
 
   void apply(std::span<double> values) const override {
     auto right = plate::gathered(all_, std::vector<double>(values.begin(), values.end()));
