@@ -108,6 +108,7 @@ public:
   }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
+  std::vector<FacePair> face_pairs() const override;
   PointMatrix stiffness() const override { return stiffness_matrix(op_, true); }
   std::unique_ptr<Stretching> stretching() const override {
     return std::make_unique<BondStretching>(op_, section(), cloud().areas, cloud().plate_points);
@@ -139,6 +140,32 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
     throw Refused({{Subject::geometry, 0, too_far("place", at, away, reach_of_places)}});
   const auto& units = cloud().units;
   return visible_place(at, units, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), units));
+}
+
+/// Places a spacing apart on the cracks, whose displacements follow from the points that each face sees.
+std::vector<FacePair> OrdinaryPlate::face_pairs() const {
+  constexpr double beside = 1e-3;  // spacings from the crack
+  const auto& units = cloud().units;
+  const auto cracks = geometry::to_lattice(paths(), units);
+  const auto side = [&](const Point& at) {
+    std::vector<FacePair::Share> result;
+    for (const auto& [point, weight, lever] :
+         visible_place(at, units, boundary().lattice, cloud().plate_points, cracks))
+      result.push_back({point, weight});
+    return result;
+  };
+  std::vector<FacePair> result;
+  for (const auto& path : paths())
+    for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
+      const Point from = path.vertices[i], along = path.vertices[i + 1] - from;
+      const double count = std::max(1.0, std::round(along.norm() / units.spacing));
+      const Point normal = Point(-along.y(), along.x()).normalized(), away = beside * units.spacing * normal;
+      for (double n = 0.5; n < count; ++n) {
+        const Point at = from + n / count * along;
+        result.push_back({side(at + away), side(at - away), at, normal, along.norm() / count});
+      }
+    }
+  return result;
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
@@ -306,7 +333,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   Discretised result;
   const auto membrane = membrane_of(problem);
   result.plate = discretised_plate(problem, supports_beside(problem, membrane), all, result.warnings, result.stopwatch);
-  if (!problem.stretches && !loaded_in_plane(problem)) return result;
+  if (!has_plane(problem)) return result;
   std::vector<std::string> more;
   result.membrane = discretised_plate(membrane, supports_beside(problem, problem), all, more, result.stopwatch);
   for (auto& line : more)
@@ -336,7 +363,6 @@ const FormulationKind ordinary{
     "ordinary",
     "bonds",
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
-     {Feature::touching_faces, "bonds have no points on the faces of cracks"},
      {Feature::hubs_in_holes, "bonds have no points on the rim of a hole, which a hub would move"},
      {Feature::growth_in_plane, "growth under loads in the plane was measured of the Galerkin plate alone"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
