@@ -204,7 +204,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   if (in_plane) post::add_membrane(one.srif, in_plane->factors, plate_.section());
   ready_.other_factors.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (one.superposed()) post::widen_errors(one.srif, parts_of(one, false), plate_.section().thickness);
-  if (touching) post::close(one.srif, post::closed_tips(*touching, plate_.tips()), plate_.section());
+  if (touching) post::close(one.srif, post::closed_tips(*touching, plate_), plate_.section());
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
   for (const auto& srif : one.srif)
@@ -248,7 +248,9 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   const auto& membrane = *ready_.membrane;
   const auto& now = *known.in_plane;
   const auto where = fmt::format("in the plane, {}", one.name);
-  const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
+  const MembraneFactorsWanted wanted{.options = content().srif,
+                                     .methods = ready_.membrane_methods,
+                                     .touching = known.touching ? &*known.touching : nullptr};
   if (known.curved) {
     auto result = membrane_results(membrane, *known.curved, now.load, now.heat, wanted, where);
     factors_in_plane_.push_back(result.factors);

@@ -41,12 +41,32 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
   return result;
 }
 
+/// Warnings about factors in the plane. `largest`: of every tip so far.
+std::vector<std::string> warnings_in_plane(std::vector<post::Srif> two, const plate::Formulation& membrane,
+                                           std::vector<double> largest, const plate::TouchingFaces* touching) {
+  constexpr double rounding = 1e-4;  // of factors beside the forces that press the faces together
+  for (auto& one : two) one.K3 = 0, one.errors[2] = 0, one.resolved[2] = true;  // there is no third one
+  if (touching) {
+    const auto tips = post::closed_tips(*touching, membrane);
+    largest.resize(tips.size(), 0);
+    for (auto& one : two) {
+      const auto& tip = tips[one.tip];
+      if (!tip.top && !tip.bottom) continue;
+      auto& most = largest[one.tip];
+      most = std::max({most, std::abs(one.K1), rounding * tip.scale / 0.03});
+      one.K1 = 0, one.errors[0] = 0, one.resolved[0] = true;
+      if (std::abs(one.K2) <= rounding * tip.scale) one.errors[1] = 0, one.resolved[1] = true;
+    }
+  }
+  return post::warnings_about_factors(two, largest, membrane.section().thickness, membrane.remedy());
+}
+
 }  // namespace
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
                                 const std::string& where, const plate::Stretch* stretch) {
-  const auto& [options, methods, all_rings, largest_before, known] = wanted;
+  const auto& [options, methods, all_rings, largest_before, known, touching] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
@@ -61,11 +81,8 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
               : fracture::of_all(membrane, post::srifs(membrane, *options, methods, state, all_rings, &heat, stretch));
     std::vector<double> none, &largest = largest_before ? *largest_before : none;
     if (largest_before) post::mark_lost(result.factors, membrane.section().thickness, largest);
-    auto two = result.factors;  // there is no third one in the plane
-    for (auto& one : two) one.K3 = 0, one.errors[2] = 0, one.resolved[2] = true;
     for (const auto& some :
-         {post::left_out(membrane.tips(), methods),
-          post::warnings_about_factors(two, largest, membrane.section().thickness, membrane.remedy())})
+         {post::left_out(membrane.tips(), methods), warnings_in_plane(result.factors, membrane, largest, touching)})
       for (const auto& line : some) result.warnings.push_back(of_plane(line));
     post::require_finite(result.factors, where);
   }
@@ -81,8 +98,10 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::LargeDeflections& found,
                                 const plate::Forces& in_plane, const plate::Heat& heat,
                                 const MembraneFactorsWanted& wanted, const std::string& where) {
+  auto factors = wanted;
+  if (membrane.problem().faces_touch()) factors.touching = &found.touching;
   auto result =
-      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, heat, wanted, where, &found.stretch);
+      membrane_results(membrane, found.membrane, in_plane + found.stretch.forces, heat, factors, where, &found.stretch);
   result.forces.moments = found.membrane_forces;
   plate::relieve(result.forces, membrane.section(), heat);
   result.fields.force = result.forces.moments;
@@ -199,7 +218,7 @@ FacesFound faces_found(const plate::TouchingFaces& found, const plate::Formulati
   FacesFound result{
       .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
       .faces = {{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}},
-      .closed = post::closed_tips(found, plate.tips())};
+      .closed = post::closed_tips(found, plate)};
   for (const auto& at : found.faces)
     result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_top, at.opening_bottom,
                                  at.force_top, at.force_bottom});
@@ -220,8 +239,10 @@ ContactResult with_contact(const plate::Formulation& plate, const plate::Formula
   bending.solution.state += found.bending, in_plane += found.membrane;
   if (bending.strained.cols() > 0) bending.strained += found.bending;
 
+  auto factors = wanted;
+  factors.touching = &found;
   ContactResult result{
-      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), plate::heat_of(membrane, 1), wanted),
+      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), plate::heat_of(membrane, 1), factors),
       .faces = faces_found(found, plate),
       .factor_bytes = found.factor_bytes};
   result.in_plane.summary.residual = residual;

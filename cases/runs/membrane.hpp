@@ -40,6 +40,7 @@ struct MembraneFactorsWanted {
   bool all_rings = true;
   std::vector<double>* largest = nullptr;          // of a motion: the largest factor of every tip at earlier times
   const std::vector<post::Srif>* known = nullptr;  // the factors, where they are known already
+  const plate::TouchingFaces* touching = nullptr;  // of cracks: at closed tips K1 tells of N1 too
 };
 
 /// Solves a plate in its plane under all its loads. `solved`: its equilibrium, where that is known already.

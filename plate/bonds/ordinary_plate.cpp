@@ -363,6 +363,7 @@ const FormulationKind ordinary{
     "ordinary",
     "bonds",
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
+     {Feature::moving_faces, "bonds have no points on the faces of cracks, which would meet in motion"},
      {Feature::hubs_in_holes, "bonds have no points on the rim of a hole, which a hub would move"},
      {Feature::growth_in_plane, "growth under loads in the plane was measured of the Galerkin plate alone"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},

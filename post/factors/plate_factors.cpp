@@ -404,12 +404,15 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   return result;
 }
 
-std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std::vector<geometry::Tip>& tips) {
+std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const plate::Formulation& plate) {
   const double scale = found.largest_force() * std::sqrt(found.length());
   std::vector<ClosedTip> result;
-  for (const auto& tip : tips) {
+  for (const auto& tip : plate.tips()) {
     const auto* next = found.next_to(tip.position);
-    result.push_back({next && next->force_top > 0, next && next->force_bottom > 0, scale});
+    result.push_back({.top = next && next->force_top > 0,
+                      .bottom = next && next->force_bottom > 0,
+                      .scale = scale,
+                      .layer = plate.offers(plate::Feature::graded_points)});
   }
   return result;
 }
