@@ -44,7 +44,7 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 /// Warnings about factors in the plane. `largest`: of every tip so far.
 std::vector<std::string> warnings_in_plane(std::vector<post::Srif> two, const plate::Formulation& membrane,
                                            std::vector<double> largest, const plate::TouchingFaces* touching) {
-  constexpr double rounding = 1e-4;  // of factors beside the forces that press the faces together
+  constexpr double lost = 0.1;  // shares of the forces that press the faces together, and of the largest factor
   for (auto& one : two) one.K3 = 0, one.errors[2] = 0, one.resolved[2] = true;  // there is no third one
   if (touching) {
     const auto tips = post::closed_tips(*touching, membrane);
@@ -53,9 +53,9 @@ std::vector<std::string> warnings_in_plane(std::vector<post::Srif> two, const pl
       const auto& tip = tips[one.tip];
       if (!tip.top && !tip.bottom) continue;
       auto& most = largest[one.tip];
-      most = std::max({most, std::abs(one.K1), rounding * tip.scale / 0.03});
+      most = std::max({most, std::abs(one.K1), lost * tip.scale});
       one.K1 = 0, one.errors[0] = 0, one.resolved[0] = true;
-      if (std::abs(one.K2) <= rounding * tip.scale) one.errors[1] = 0, one.resolved[1] = true;
+      if (tip.top && tip.bottom && one.errors[1].value_or(0) <= lost * most) one.resolved[1] = true;
     }
   }
   return post::warnings_about_factors(two, largest, membrane.section().thickness, membrane.remedy());

@@ -168,7 +168,10 @@ void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const p
       srif.K1 = srif.K2 = srif.K3 = 0;
       srif.errors = {0, 0, 0}, srif.resolved = {true, true, true}, srif.estimated_error = 0;
     }
-    if (top && bottom) srif.resolved[0] = plane.resolved[0] = true;
+    if (top && bottom) {  // what is left is judged beside the forces that press the faces
+      srif.resolved[0] = plane.resolved[0] = true;
+      plane.resolved[1] = plane.resolved[1] || plane.errors[1].value_or(0) <= lost * lost * scale;
+    }
     const bool by_sum = !layer && top != bottom && srif.method == SrifMethod::virtual_crack_extension;
     if (by_sum ? srif.K1 == 0 : !srif.resolved[0] || !plane.resolved[0]) continue;
     const double N = arm * plane.N[0], shared = std::sqrt((srif.K1 * srif.K1 + 3 * N * N) / 4);
