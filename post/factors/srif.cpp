@@ -146,7 +146,7 @@ void prefer_extensions(std::vector<Srif>& srifs, const std::vector<ClosedTip>& t
 }
 
 /// Errors of K1 and K2 where the energy `change` of K1 moves into the plane within less than the spacing. Measured with
-/// 2 to 6 points in the thickness: K1 is off by up to 0.1 of the change in mode 1, 0.2 beside K2; K2 by 0.8.
+/// 2 to 7 points in the thickness: beyond 2 % K1 is off by up to 0.1 of the change in mode 1, 0.2 beside K2.
 std::array<double, 2> errors_below_layer(const Srif& srif, double K, double change) {
   constexpr double least = 0.02, opened = 0.15, mixed = 0.4, slid = 0.8;
   const double K1 = std::abs(srif.K1), K2 = std::abs(srif.K2);
