@@ -254,7 +254,7 @@ FacesFound faces_found(const plate::TouchingFaces& found, const plate::Formulati
   FacesFound result{
       .summary = {found.least_opening(), found.largest_force(), found.closed_share()},
       .faces = {{"x", "y", "length", "opening_top", "opening_bottom", "pressure_top", "pressure_bottom"}, {}},
-      .closed = post::closed_tips(found, plate.tips())};
+      .closed = post::closed_tips(found, plate)};
   for (const auto& at : found.faces)
     result.faces.rows.push_back({at.position.x(), at.position.y(), at.length, at.opening_top, at.opening_bottom,
                                  at.force_top, at.force_bottom});

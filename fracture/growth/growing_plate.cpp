@@ -212,7 +212,7 @@ void GrowingPlate::solve(plate::Discretised found, const std::vector<post::TipMe
     const auto touching = plate::touching_faces(plate, *found.membrane, {solution.state, in_plane});
     solution.state += touching.bending, in_plane += touching.membrane;
     if (solved.strained.cols() > 0) solved.strained += touching.bending;
-    closed = post::closed_tips(touching, plate.tips());
+    closed = post::closed_tips(touching, plate);
     contact = {touching.least_opening(), touching.largest_force(), touching.closed_share()};
   }
   const auto heat = plate::heat_of(plate, 1);

@@ -26,6 +26,7 @@
 #include "plate/formulation/pieces.hpp"
 #include "plate/formulation/springs_and_stiffeners.hpp"
 #include "plate/model/communicator.hpp"
+#include "plate/model/dense_algebra.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
@@ -108,6 +109,7 @@ public:
   }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
+  std::vector<FacePair> face_pairs() const override;
   PointMatrix stiffness() const override { return stiffness_matrix(op_, true); }
   std::unique_ptr<Stretching> stretching() const override {
     return std::make_unique<BondStretching>(op_, section(), cloud().areas, cloud().plate_points);
@@ -143,6 +145,55 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
     throw Refused({{Subject::geometry, 0, too_far("place", at, away, reach_of_places)}});
   const auto& units = cloud().units;
   return visible_place(at, units, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), units));
+}
+
+/// Shares of points in the displacements of a place [spacings] on the face of a crack: by the linear field that fits
+/// those of the points that it sees best, with weights that fall to zero over 2.5 spacings.
+std::vector<FacePair::Share> shares_on_face(const Point& at, const Boundary& boundary,
+                                            const std::vector<geometry::CrackPath>& cracks) {
+  constexpr double reach = 2.5;
+  const auto& [units, positions, areas, plate_points, part] = boundary.cloud;
+  const auto near = visible_from(at, reach, boundary.lattice, plate_points, cracks);
+  const auto count = Eigen::Index(near.size());
+  Eigen::MatrixXd basis(count, 3);
+  Eigen::VectorXd root(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Point x = near[std::size_t(i)].second - at;
+    basis.row(i) << 1, x.x(), x.y();
+    root[i] = std::sqrt(std::max(0.0, 1 - x.norm() / reach));
+  }
+  std::vector<FacePair::Share> result;
+  if (const auto [inverse, rank] = pseudo_inverse(root.asDiagonal() * basis); rank == 3) {
+    for (Eigen::Index i = 0; i < count; ++i) result.push_back({near[std::size_t(i)].first, inverse(0, i) * root[i]});
+    return result;
+  }
+  for (const auto& share : visible_place(units.from_lattice(at), units, boundary.lattice, plate_points, cracks))
+    result.push_back({share.point, share.weight});
+  return result;
+}
+
+/// Places two spacings apart on the cracks: forces at nearer ones would vary from place to place, as the points do
+/// beside oblique cracks.
+std::vector<FacePair> OrdinaryPlate::face_pairs() const {
+  constexpr double apart = 2, beside = 1e-3;  // spacings
+  const auto& units = cloud().units;
+  const auto cracks = geometry::to_lattice(paths(), units);
+  std::vector<FacePair> result;
+  for (const auto& path : paths())
+    for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
+      const Point from = path.vertices[i], along = path.vertices[i + 1] - from;
+      const double count = std::max(1.0, std::round(along.norm() / (apart * units.spacing)));
+      const Point normal = Point(-along.y(), along.x()).normalized();
+      for (double n = 0.5; n < count; ++n) {
+        const Point at = from + n / count * along, place = units.to_units(at);
+        result.push_back({.left = shares_on_face(place + beside * normal, boundary(), cracks),
+                          .right = shares_on_face(place - beside * normal, boundary(), cracks),
+                          .position = at,
+                          .normal = normal,
+                          .length = along.norm() / count});
+      }
+    }
+  return result;
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
@@ -313,7 +364,7 @@ Discretised discretised(const Problem& problem, const Communicator& all) {
   Discretised result;
   const auto membrane = membrane_of(problem);
   result.plate = discretised_plate(problem, supports_beside(problem, membrane), all, result.warnings, result.stopwatch);
-  if (!problem.stretches && !loaded_in_plane(problem)) return result;
+  if (!has_plane(problem)) return result;
   std::vector<std::string> more;
   result.membrane = discretised_plate(membrane, supports_beside(problem, problem), all, more, result.stopwatch);
   for (auto& line : more)
@@ -343,7 +394,7 @@ const FormulationKind ordinary{
     "ordinary",
     "bonds",
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
-     {Feature::touching_faces, "bonds have no points on the faces of cracks"},
+     {Feature::moving_faces, "bonds have no points on the faces of cracks, which would meet in motion"},
      {Feature::hubs_in_holes, "bonds have no points on the rim of a hole, which a hub would move"},
      {Feature::growth_in_plane, "growth under loads in the plane was measured of the Galerkin plate alone"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},

@@ -56,21 +56,30 @@ struct StartOfCracks {
   std::vector<double> cut;
 };
 
-/// Two points of a plate that face each other on a crack, one on each face.
+/// Two places that face each other on a crack, one on each face.
 struct FacePair {
-  std::uint32_t left = 0, right = 0;
+  struct Share {
+    std::uint32_t point;
+    double weight;
+  };
+  std::vector<Share> left, right;  // of points in the displacements of both places; the weights of each add up to 1
+  geometry::Point position{0, 0};
   geometry::Point normal{0, 0};  // of the crack, from right to left
   double length = 0;             // of the crack that they stand for [length]
 
   /// Displacement (u, v) of a point in the plane along the normal; of a plate that bends that of the fibre at z = 1.
   double across(const PointValues& values) const { return normal.x() * values[2] - normal.y() * values[1]; }
-  double opening(const State& state) const { return across(state.col(left)) - across(state.col(right)); }
-  /// Half the difference of the forces on both points along the normal: what presses them apart.
-  double pressing(const Forces& forces) const { return opening(forces) / 2; }
-  /// Adds forces that press both points apart.
+  double opening(const State& state) const {
+    double result = 0;
+    for (const auto& [point, weight] : left) result += weight * across(state.col(point));
+    for (const auto& [point, weight] : right) result -= weight * across(state.col(point));
+    return result;
+  }
+  /// Adds forces that press both places apart.
   void press(double force, Forces& forces) const {
     const PointValues apart(0, -force * normal.y(), force * normal.x());
-    forces.col(left) += apart, forces.col(right) -= apart;
+    for (const auto& [point, weight] : left) forces.col(point) += weight * apart;
+    for (const auto& [point, weight] : right) forces.col(point) -= weight * apart;
   }
 };
 
@@ -132,7 +141,7 @@ public:
   /// The state at a place, exact under rigid motions. Throws Refused where it sees no point near enough.
   virtual std::vector<PlaceShare> interpolation(const geometry::Point& at) const = 0;
   virtual Mesh mesh() const = 0;
-  /// Points on the faces of cracks; none in kinds that do not offer Feature::touching_faces.
+  /// Places on the faces of cracks; none in kinds that do not offer Feature::touching_faces.
   virtual std::vector<FacePair> face_pairs() const;
   /// Share of each point's surroundings that cracks cut when they were as at the start of their growth.
   virtual std::vector<double> cut_at(const StartOfCracks& start) const = 0;

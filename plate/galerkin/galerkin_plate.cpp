@@ -74,7 +74,8 @@ std::vector<FacePair> facing_points(const geometry::Tessellation& cells) {
       if (left == right) return;
       const double sign = left < right ? 1 : -1;
       auto& pair = found[std::minmax(left, right)];
-      pair.left = std::min(left, right), pair.right = std::max(left, right);
+      pair.left = {{std::min(left, right), 1}}, pair.right = {{std::max(left, right), 1}};
+      pair.position = cells.positions[pair.left.front().point];
       pair.normal += sign / 2 * Point(-side.y(), side.x());
       pair.length += side.norm() / 2;
     };

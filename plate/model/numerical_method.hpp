@@ -91,7 +91,8 @@ enum class Feature {
   stretching,       // what couples both: large deflections, buckling; motion, frequencies under loads there
   touching_faces,   // of cracks: contact
   growth_in_plane,  // growth of cracks under loads there
-  hubs_in_holes     // rigid discs that fill holes
+  hubs_in_holes,    // rigid discs that fill holes
+  moving_faces      // contact of cracks in motion
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

@@ -79,11 +79,13 @@ double TouchingFaces::closed_share() const {
 }
 
 double lever_of(const FacePair& pair, const PointSections& sections) {
-  return std::min(sections[pair.left].thickness, sections[pair.right].thickness) / 2;
+  double result = INFINITY;
+  for (const auto* side : {&pair.left, &pair.right})
+    for (const auto& share : *side) result = std::min(result, sections[share.point].thickness);
+  return result / 2;
 }
 
-FaceRows::FaceRows(const Formulation& plate)
-    : plate_(plate), pairs_(plate.face_pairs()), arms_(Eigen::Index(pairs_.size())) {
+FaceRows::FaceRows(const Formulation& plate) : pairs_(plate.face_pairs()), arms_(Eigen::Index(pairs_.size())) {
   for (Eigen::Index i = 0; i < arms_.size(); ++i) {
     arms_[i] = lever_of(pairs_[std::size_t(i)], plate.sections());
   }
@@ -123,7 +125,7 @@ std::vector<FaceContact> FaceRows::contacts(const Eigen::VectorXd& openings, con
   std::vector<FaceContact> result;
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& pair = pairs_[std::size_t(i)];
-    result.push_back({.position = plate_.cloud().positions[pair.left],
+    result.push_back({.position = pair.position,
                       .length = pair.length,
                       .opening_top = openings[i],
                       .opening_bottom = openings[count + i],
@@ -138,10 +140,11 @@ ContactOfFaces::ContactOfFaces(const Formulation& plate, const Formulation& memb
   in_plane_ = pinned(membrane);
   bent_ = std::make_unique<AssembledPlate>(plate, plate.constraints(), plate.stiffness());
   flat_ = std::make_unique<AssembledPlate>(membrane, in_plane_, membrane.stiffness());
-  const auto compliance_of = [&](const AssembledPlate& one) {
-    return compliance(rows_.pairs(), plate.points(), [&](const auto& loads) { return one.solve(loads); });
+  const auto compliance_of = [&](const AssembledPlate& one, std::size_t points) {
+    return compliance(rows_.pairs(), points, [&](const auto& loads) { return one.solve(loads); });
   };
-  const Eigen::MatrixXd of_bending = compliance_of(*bent_), of_plane = compliance_of(*flat_);
+  const Eigen::MatrixXd of_bending = compliance_of(*bent_, plate.points()),
+                        of_plane = compliance_of(*flat_, membrane.points());
   const auto& arm = rows_.arms();
   const Eigen::MatrixXd turned = arm.asDiagonal() * of_bending * arm.asDiagonal();
   compliance_.resize(2 * arm.size(), 2 * arm.size());
@@ -165,7 +168,7 @@ TouchingFaces ContactOfFaces::operator()(const FreeFaces& free) const {
   TouchingFaces result;
   result.factor_bytes = bytes();
   result.faces = rows_.contacts(found.rest, found.x);
-  Forces on_bending = zero_forces(plate_.points()), on_plane = zero_forces(plate_.points());
+  Forces on_bending = zero_like(free.bending), on_plane = zero_like(free.membrane);
   rows_.press(found.x, on_bending, on_plane);
   result.bending = bent_->solve({on_bending}).front();
   plate_.constraints().impose(result.bending);

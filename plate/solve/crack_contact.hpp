@@ -11,7 +11,7 @@ namespace plate {
 
 class AssembledPlate;
 
-/// Opening and contact force of two points that face each other on a crack. Top is z = h/2.
+/// Opening and contact force of two places that face each other on a crack. Top is z = h/2.
 struct FaceContact {
   geometry::Point position;
   double length;                       // of the crack that they stand for [length]
@@ -43,10 +43,9 @@ struct FreeFaces {
   const State &bending, &membrane;
 };
 
-/// Pairs of points on the faces of cracks at both faces of the plate. Rows: all pairs at z = h/2, then at z = -h/2.
+/// Pairs of places on the faces of cracks at both faces of the plate. Rows: all pairs at z = h/2, then at z = -h/2.
 class FaceRows {
 public:
-  /// `plate` must outlive this.
   explicit FaceRows(const Formulation& plate);
 
   const std::vector<FacePair>& pairs() const { return pairs_; }
@@ -60,7 +59,6 @@ public:
   std::vector<FaceContact> contacts(const Eigen::VectorXd& openings, const Eigen::VectorXd& forces) const;
 
 private:
-  const Formulation& plate_;
   std::vector<FacePair> pairs_;
   Eigen::VectorXd arms_;
 };

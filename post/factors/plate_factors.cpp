@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "geometry/shape/patch.hpp"
@@ -254,16 +255,36 @@ plate::Forces forces_on(const plate::Formulation& plate, const plate::State& sta
   return force;
 }
 
-/// Pairs of points on the straight part of a crack behind its tip, the nearest first.
+/// Factor of the products of pairs, by which forces on their points follow from those that press the pairs apart.
+Eigen::LDLT<Eigen::MatrixXd> products_of(const std::vector<std::pair<double, plate::FacePair>>& pairs) {
+  struct Row {
+    Eigen::Index pair;
+    geometry::Point share;
+  };
+  std::map<std::uint32_t, std::vector<Row>> at;  // by points
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& pair = pairs[i].second;
+    for (const auto& [point, weight] : pair.left) at[point].push_back({Eigen::Index(i), weight * pair.normal});
+    for (const auto& [point, weight] : pair.right) at[point].push_back({Eigen::Index(i), -weight * pair.normal});
+  }
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(Eigen::Index(pairs.size()), Eigen::Index(pairs.size()));
+  for (const auto& [point, rows] : at)
+    for (const auto& one : rows)
+      for (const auto& other : rows) result(one.pair, other.pair) += one.share.dot(other.share);
+  return result.ldlt();
+}
+
+/// Pairs of places on the straight part of a crack behind its tip, the nearest first.
 class FacesBehind {
 public:
-  FacesBehind(const std::vector<plate::FacePair>& pairs, const plate::Formulation& plate, const geometry::Tip& tip) {
+  FacesBehind(const std::vector<plate::FacePair>& pairs, const geometry::Tip& tip) {
     for (const auto& pair : pairs) {
-      const geometry::Point x = plate.cloud().positions[pair.left] - tip.position;
+      const geometry::Point x = pair.position - tip.position;
       const double behind = -tip.direction.dot(x);
       if (behind > 0 && behind > (1 - 1e-6) * x.norm()) pairs_.push_back({behind, pair});
     }
     std::ranges::sort(pairs_, {}, &std::pair<double, plate::FacePair>::first);
+    if (!pairs_.empty()) products_ = products_of(pairs_);
   }
 
   /// Force that presses the faces apart at the tip, along the crack: by the line that fits the forces of the nearest
@@ -271,11 +292,12 @@ public:
   double pressure(const plate::Forces& force, double near) const {
     Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
     Eigen::Vector2d forces = Eigen::Vector2d::Zero();
+    const auto pressing = this->pressing(force);
     for (std::size_t i = 0; i < pairs_.size() && (i < 2 || pairs_[i].first <= near); ++i) {
       const auto& [behind, pair] = pairs_[i];
       const Eigen::Vector2d line(1, behind);
       sums += pair.length * line * line.transpose();
-      forces -= line * pair.pressing(force);
+      forces += line * pressing[Eigen::Index(i)];
     }
     return pairs_.empty() ? 0 : sums.completeOrthogonalDecomposition().solve(forces)[0];
   }
@@ -285,25 +307,34 @@ public:
   /// about them.
   Eigen::VectorXd take(const plate::State& state, plate::Forces& force) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(force.cols());
+    const auto pressing = this->pressing(force);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto& pair = pairs_[i].second;
-      const double pressing = -pair.pressing(force);  // internal forces are minus those from outside
-      pair.press(pressing, force);
+      const double own = pressing[Eigen::Index(i)];
+      pair.press(own, force);
       if (i + 1 == pairs_.size()) continue;  // the mouth, or the other tip: far outside of rings
       const auto [before, opening] = i == 0 ? std::pair(0.0, 0.0) : at(i - 1, state);
       const auto [after, wider] = at(i + 1, state);
-      result[pair.left] += pressing * (wider - opening) / (after - before);  // openings grow backwards
+      for (const auto& [point, weight] : pair.left)
+        result[point] += weight * own * (wider - opening) / (after - before);  // openings grow backwards
     }
     return result;
   }
 
 private:
+  /// Forces that press the pairs apart, by internal forces, which are minus those from outside.
+  Eigen::VectorXd pressing(const plate::Forces& force) const {
+    Eigen::VectorXd result(Eigen::Index(pairs_.size()));
+    for (std::size_t i = 0; i < pairs_.size(); ++i) result[Eigen::Index(i)] = -pairs_[i].second.opening(force);
+    return pairs_.empty() ? result : Eigen::VectorXd(products_.solve(result));
+  }
   /// Distance from the tip and opening of a pair.
   std::pair<double, double> at(std::size_t i, const plate::State& state) const {
     return {pairs_[i].first, pairs_[i].second.opening(state)};
   }
 
   std::vector<std::pair<double, plate::FacePair>> pairs_;  // with their distances from the tip
+  Eigen::LDLT<Eigen::MatrixXd> products_;
 };
 
 /// A state less the uniform one whose tractions on the crack are a pressure on its faces at a tip.
@@ -351,7 +382,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
     const auto pairs = plate.face_pairs();
     for (std::size_t tip = 0; tip < methods.size(); ++tip) {
       const auto& at = plate.tips()[tip];
-      const FacesBehind faces(pairs, plate, at);
+      const FacesBehind faces(pairs, at);
       const double near = std::min(clear_distance(plate.problem(), plate.paths(), at) / 4, 2 * plate.section().layer());
       const auto rest = eased(plate, at, state, faces.pressure(force, near));
       auto of_rest = forces(rest);
@@ -377,12 +408,15 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   return result;
 }
 
-std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std::vector<geometry::Tip>& tips) {
+std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const plate::Formulation& plate) {
   const double scale = found.largest_force() * std::sqrt(found.length());
   std::vector<ClosedTip> result;
-  for (const auto& tip : tips) {
+  for (const auto& tip : plate.tips()) {
     const auto* next = found.next_to(tip.position);
-    result.push_back({next && next->force_top > 0, next && next->force_bottom > 0, scale});
+    result.push_back({.top = next && next->force_top > 0,
+                      .bottom = next && next->force_bottom > 0,
+                      .scale = scale,
+                      .layer = plate.offers(plate::Feature::graded_points)});
   }
   return result;
 }

@@ -52,7 +52,7 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
                         const plate::Heat* heat = nullptr, const plate::Stretch* stretch = nullptr);
 
 /// Faces of the plate at which cracks are closed next to every tip.
-std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const std::vector<geometry::Tip>& tips);
+std::vector<ClosedTip> closed_tips(const plate::TouchingFaces& found, const plate::Formulation& plate);
 
 /// Messages about tips without intensity factors, and why; of single methods that are missing where the case names its
 /// methods.

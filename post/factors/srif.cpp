@@ -154,10 +154,34 @@ void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane,
   }
 }
 
+namespace {
+
+/// Moves the virtual crack extension to the front of the rows of tips that are closed at one face of the plate in a
+/// layer that the points do not resolve: gradients at the points miss the energy there.
+void prefer_extensions(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips) {
+  std::ranges::stable_sort(srifs, {}, [&](const Srif& srif) {
+    const auto& tip = tips[srif.tip];
+    const bool first = !tip.layer && tip.top != tip.bottom && srif.method == SrifMethod::virtual_crack_extension;
+    return std::pair(srif.tip, first ? 0 : 1);
+  });
+}
+
+/// Errors of K1 and K2 where the energy `change` of K1 moves into the plane within less than the spacing. Measured with
+/// 2 to 7 points in the thickness: beyond 2 % K1 is off by up to 0.1 of the change in mode 1, 0.2 beside K2.
+std::array<double, 2> errors_below_layer(const Srif& srif, double K, double change) {
+  constexpr double least = 0.02, opened = 0.15, mixed = 0.4, slid = 0.8;
+  const double K1 = std::abs(srif.K1), K2 = std::abs(srif.K2);
+  return {(opened + mixed * K2 / (K1 + K2)) * change + least * K,
+          (slid * change / std::max(K1, K) + least) * K2 + least * K};
+}
+
+}  // namespace
+
 void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const plate::Section& section) {
   constexpr double rounding = 1e-4;
+  prefer_extensions(srifs, tips);
   for (auto& srif : srifs) {
-    const auto& [top, bottom, scale] = tips[srif.tip];
+    const auto& [top, bottom, scale, layer] = tips[srif.tip];
     if ((!top && !bottom) || !srif.membrane) continue;
     auto& plane = *srif.membrane;
     const double h = plane.thickness, arm = h / 6, least = rounding * arm * scale;  // N1 times the arm is |K1|
@@ -165,14 +189,24 @@ void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const p
       srif.K1 = srif.K2 = srif.K3 = 0;
       srif.errors = {0, 0, 0}, srif.resolved = {true, true, true}, srif.estimated_error = 0;
     }
-    if (top && bottom) srif.resolved[0] = plane.resolved[0] = true;
-    if (!srif.resolved[0] || !plane.resolved[0]) continue;
+    if (top && bottom) {  // what is left is judged beside the forces that press the faces
+      srif.resolved[0] = plane.resolved[0] = true;
+      plane.resolved[1] = plane.resolved[1] || plane.errors[1].value_or(0) <= lost * lost * scale;
+    }
+    const bool by_sum = !layer && top != bottom && srif.method == SrifMethod::virtual_crack_extension;
+    if (by_sum ? srif.K1 == 0 : !srif.resolved[0] || !plane.resolved[0]) continue;
     const double N = arm * plane.N[0], shared = std::sqrt((srif.K1 * srif.K1 + 3 * N * N) / 4);
     const bool none = (top && bottom) || shared <= least;
     const double K = none ? 0 : shared, signed_K = K > 0 && top ? -K : K;
-    const double most = none ? 0
-                             : std::max({srif.errors[0].value_or(0), plane.errors[0].value_or(0) * arm,
-                                         std::abs(srif.K1 - signed_K), std::abs(N - K)});
+    const double change = std::max(std::abs(srif.K1 - signed_K), std::abs(N - K));
+    double most = none ? 0 : std::max({srif.errors[0].value_or(0), plane.errors[0].value_or(0) * arm, change});
+    if (by_sum && !none) {
+      const auto errors = errors_below_layer(srif, K, change);
+      const double largest = std::max(K, std::abs(srif.K2));
+      most = errors[0], srif.errors[1] = errors[1];
+      srif.resolved[0] = plane.resolved[0] = most <= lost * largest, srif.resolved[1] = errors[1] <= lost * largest;
+      srif.estimated_error = 0;
+    }
     if (section.isotropic()) {  // energies of what has changed
       const double unit = 12 * std::numbers::pi / (section.at(srif.position).young * std::pow(h, 3));
       if (srif.G) *srif.G = std::max(0.0, *srif.G + unit * (K * K - srif.K1 * srif.K1));

@@ -158,13 +158,15 @@ void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane,
 /// Faces of the plate at which the faces of a crack touch next to its tip.
 struct ClosedTip {
   bool top = false, bottom = false;  // at z = h/2, z = -h/2
-  double scale = 0;  // the largest force along the crack times the root of the length of all cracks, as N1
+  double scale = 0;   // the largest force along the crack times the root of the length of all cracks, as N1
+  bool layer = true;  // points resolve the layer beside the faces, in which the pressure moves energy into the plane
 };
 
 /// Corrects the factors of tips at which faces of a crack touch. Where they touch at one face of the plate, K_I is zero
 /// there, N1 = 6 |K1| / h: K1 and N1 share the energy that they release together, which contact only carries from one
-/// to the other, and their errors are no less than the change. Where they touch at both, K1 = N1 = 0. Factors of
-/// bending that are rounding beside the forces become zero. Of sections of one material.
+/// to the other, and their errors are no less than the change. Where the points do not resolve the layer of that, the
+/// virtual crack extension alone finds both energies, and shares of the change are errors. Where they touch at both,
+/// K1 = N1 = 0. Factors of bending that are rounding beside the forces become zero. Of sections of one material.
 void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const plate::Section& section);
 
 /// F1, F2, F3 where the options give a normalisation.

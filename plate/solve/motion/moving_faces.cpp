@@ -49,13 +49,14 @@ MovingPair moving_pair(const FacePair& pair, double arm, std::size_t points, con
                        const Forces& mass) {
   MovingPair result;
   const auto plane = std::uint32_t(points);
-  for (const auto& [point, sign] : {std::pair(pair.left, 1.0), std::pair(pair.right, -1.0)}) {
-    const double x = sign * pair.normal.x(), y = -sign * pair.normal.y();
-    result.terms.push_back({dof(plane + point, 2), {x, x}});
-    result.terms.push_back({dof(plane + point, 1), {y, y}});
-    result.terms.push_back({dof(point, 2), {arm * x, -arm * x}});
-    result.terms.push_back({dof(point, 1), {arm * y, -arm * y}});
-  }
+  for (const auto& [side, sign] : {std::pair(&pair.left, 1.0), std::pair(&pair.right, -1.0)})
+    for (const auto& [point, weight] : *side) {
+      const double x = sign * weight * pair.normal.x(), y = -sign * weight * pair.normal.y();
+      result.terms.push_back({dof(plane + point, 2), {x, x}});
+      result.terms.push_back({dof(plane + point, 1), {y, y}});
+      result.terms.push_back({dof(point, 2), {arm * x, -arm * x}});
+      result.terms.push_back({dof(point, 1), {arm * y, -arm * y}});
+    }
   for (const auto& [dof, shares] : folded(result.terms, constraints))
     if (const double m = at_dof(mass, dof); m > 0) result.pushes.push_back({dof, 1 / m, shares});
   return result;

@@ -138,7 +138,7 @@ TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const auto& [opening, force] = contacts[i];
     const auto& pair = pairs_[i];
-    result.faces.push_back({.position = plate_.cloud().positions[pair.left],
+    result.faces.push_back({.position = pair.position,
                             .length = pair.length,
                             .opening_top = opening[0],
                             .opening_bottom = opening[1],

@@ -31,6 +31,7 @@ struct Cracked {
   std::string discretization = {};  // further keys
   std::string analysis = {};        // likewise
   std::string load_cases = {};      // in place of moment and traction
+  std::string formulation = "galerkin";
 
   std::string toml() const {
     const Eigen::Rotation2Dd whole(turn * std::numbers::pi / 180), own(angle * std::numbers::pi / 180);
@@ -43,9 +44,9 @@ struct Cracked {
     std::string text = fmt::format(
         "[section]\n{}\nthickness = {}\n[geometry]\noutline = {{ polygon = [{}, {}, {}, {}], edges = [\"bottom\", "
         "\"right\", \"top\", \"left\"] }}\ncracks = [[{}, {}]{}]\n[cracks]\ncontact = {}\n[discretization]\nspacing = "
-        "{}\nformulation = \"galerkin\"\n{}",
+        "{}\nformulation = \"{}\"\n{}",
         section, thickness, at({-a, -a}), at({a, -a}), at({a, a}), at({-a, a}), at(middle - half), at(middle + half),
-        more_cracks, contact, spacing, discretization);
+        more_cracks, contact, spacing, formulation, discretization);
     text += pressure != 0 ? fmt::format(
                                 "[[support]]\nkind = \"simply_supported_hard\"\nin_plane = \"{}\"\nedges = "
                                 "[\"left\", \"right\", \"bottom\", \"top\"]\n[[load]]\nkind = "
@@ -419,4 +420,52 @@ TEST_CASE("contact: a load case is what it is alone, a combination what its load
   REQUIRE(table != all.results.tables.end());
   CHECK(table->second.columns.back() == "case");
   CHECK(std::get<std::string>(table->second.rows.back().back()) == "back");
+}
+
+TEST_CASE("contact: bonds have the factors of the Galerkin plate", "[in_plane]") {
+  struct Square {
+    std::string words;
+    Cracked plate;
+    double K1;  // own finite elements
+  };
+  const double fine = 1.0 / 40;
+  static const std::vector<Square> squares{
+      {"bent", {.spacing = fine, .formulation = "ordinary"}, 0.139855},
+      {"tension, closed", {.length = 0.3, .spacing = fine, .traction = 20, .formulation = "ordinary"}, 0.191468},
+      {"30 degrees", {.length = 0.4, .spacing = fine, .angle = 30, .formulation = "ordinary"}, 0.08710}};
+  const auto& one = GENERATE(from_range(squares));
+  const Run run(one.plate);
+  check_complementarity(run);
+  for (const std::size_t which : {0, 1}) {
+    const auto& tip = run.tip(which);
+    INFO(one.words << ": K1 " << tip.K1 / one.K1 - 1);
+    CHECK(tip.resolved[0]);
+    CHECK(std::abs(tip.K1 - one.K1) < 0.03 * one.K1);  // 2.1 % at 30 degrees, else 0.3 %
+    CHECK(std::abs(tip.K1 - one.K1) < *tip.errors[0]);
+    CHECK(tip.membrane->N[0] == Approx(6 * tip.K1 / one.plate.thickness));
+  }
+}
+
+TEST_CASE("contact: bonds that are pressed together stay closed at any angle", "[in_plane]") {
+  const double angle = GENERATE(0.0, 27.0);
+  const Run run(Cracked{
+      .length = 0.3, .spacing = 1.0 / 40, .moment = 0, .traction = -1, .angle = angle, .formulation = "ordinary"});
+  check_complementarity(run);
+  CHECK(run.summary.contact->closed_share == Approx(1));
+  for (const std::size_t which : {0, 1}) {
+    CHECK(run.tip(which).K1 == 0);
+    CHECK(run.tip(which).membrane->N[0] == 0);
+  }
+  for (const auto& warning : run.summary.warnings) CHECK_THAT(warning, !Catch::Contains("N1"));
+}
+
+TEST_CASE("contact: bonds under enough tension are those of open faces", "[in_plane]") {
+  const auto with = [](bool contact) {
+    return Run(
+        Cracked{.length = 0.3, .spacing = 1.0 / 40, .traction = 80, .contact = contact, .formulation = "ordinary"});
+  };
+  const Run touching = with(true), open = with(false);
+  CHECK(touching.summary.contact->closed_share == 0);
+  CHECK(touching.tip(0).K1 == Approx(open.tip(0).K1).epsilon(1e-6));                          // 3e-8
+  CHECK(touching.tip(0).membrane->N[0] == Approx(open.tip(0).membrane->N[0]).epsilon(1e-6));  // 1e-7
 }

@@ -80,8 +80,10 @@ Hit hit(const Bars& bars) {
   const Forces mass = of_plane(moving.both.unconstrained_mass());
   std::vector<char> second(points);
   for (Eigen::Index k = 0; k < points; ++k) second[k] = plate.cloud().positions[k].dot(x) > 0;
-  for (const auto& pair : plate.face_pairs())
-    second[pair.left] = pair.normal.dot(x) > 0, second[pair.right] = !second[pair.left];
+  for (const auto& pair : plate.face_pairs()) {
+    const bool forward = pair.normal.dot(x) > 0;
+    second[pair.left.front().point] = forward, second[pair.right.front().point] = !forward;
+  }
   State velocity = zero_state(2 * points);
   double moved = 0, all = 0;  // masses
   for (Eigen::Index k = 0; k < points; ++k) {

@@ -15,10 +15,10 @@ using namespace plate;
 namespace {
 
 /// Plates with cracks that end inside, at an edge, at each other, that bend, and that cross.
-Discretised cracked(const std::string& cracks) {
+Discretised cracked(const std::string& cracks, const std::string& formulation = "galerkin") {
   return discretise(case_text::read(case_text::plain,
                                     {"geometry.cracks=" + cracks, "cracks.contact=true", "discretization.spacing=0.1",
-                                     "discretization.refine_tips=false", "discretization.formulation=galerkin"})
+                                     "discretization.refine_tips=false", "discretization.formulation=" + formulation})
                         .content);
 }
 
@@ -39,12 +39,13 @@ TEST_CASE("contact of crack faces: openings and forces are complementary, and fo
       GENERATE(as<std::string>(), "[[[-0.31,0.02],[0.33,0.1]]]", "[[[-1.0,0.1],[0.2,0.15]]]",
                "[[[-0.4,-0.3],[0.0,0.05],[0.4,0.3]]]", "[[[-0.5,0.0],[0.5,0.0]],[[0.0,-0.5],[0.0,0.5]]]",
                "[[[-0.5,0.0],[0.5,0.0]],[[0.0,0.0],[0.2,0.5]]]");
-  INFO(cracks);
-  const auto plates = cracked(cracks);
+  const std::string formulation = GENERATE("galerkin", "ordinary");
+  INFO(cracks << ", " << formulation);
+  const auto plates = cracked(cracks, formulation);
   const auto &plate = *plates.plate, &membrane = *plates.membrane;
-  const State bending = waves(plate, 0.3), plane = waves(plate, 1.1);
+  const State bending = waves(plate, 0.3), plane = waves(membrane, 1.1);
   const auto pairs = plate.face_pairs();
-  REQUIRE(pairs.size() > 4);
+  REQUIRE(pairs.size() > 2);
   const auto found = touching_faces(plate, membrane, {bending, plane});
   REQUIRE(found.faces.size() == pairs.size());
   const State bent = bending + found.bending, flat = plane + found.membrane;
@@ -81,7 +82,7 @@ TEST_CASE("contact of crack faces: openings and forces are complementary, and fo
   CHECK(on_bending.cwiseAbs().maxCoeff() < 1e-9 * largest * arm);
   double cracks_length = 0;  // without half a spacing at every tip
   for (const auto& path : plate.paths()) cracks_length += geometry::length(path.vertices);
-  CHECK(length < cracks_length);
+  CHECK(length < cracks_length + 1e-9);
   CHECK(length > cracks_length - 0.5 * 0.12 * double(plate.tips().size()) - 1e-9);
 }
 
@@ -89,8 +90,9 @@ TEST_CASE("contact of crack faces: nothing is pressed where all is open, or wher
   const auto plates = cracked("[[[-0.31,0.02],[0.33,0.1]]]");
   State open = zero_state(plates.plate->points());
   for (const auto& pair : plates.plate->face_pairs()) {
-    open(2, pair.left) = pair.normal.x(), open(1, pair.left) = -pair.normal.y();
-    open(2, pair.right) = -pair.normal.x(), open(1, pair.right) = pair.normal.y();
+    const auto left = pair.left.front().point, right = pair.right.front().point;
+    open(2, left) = pair.normal.x(), open(1, left) = -pair.normal.y();
+    open(2, right) = -pair.normal.x(), open(1, right) = pair.normal.y();
   }
   const auto found = touching_faces(*plates.plate, *plates.membrane, {zero_like(open), open});
   CHECK(found.largest_force() == 0);
