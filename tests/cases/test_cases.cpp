@@ -1,5 +1,7 @@
 // Every case file of the tree reads and runs, coarse, through the program itself.
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 #include "cases/studies/study.hpp"
 #include "tests/cases/program.hpp"
@@ -93,9 +95,10 @@ fs::path central_crack() {
 
 }  // namespace
 
-TEST_CASE("every case reads and runs, and its resolved form gives the same results") {
+TEST_CASE("every case reads and runs, and its resolved form gives the same case and results") {
   const auto files = toml_files(false);
   REQUIRE(files.size() >= 17);
+  std::set<std::tuple<plate::AnalysisKind, bool, const plate::FormulationKind*>> run_again;
   for (const auto& file : files) {
     INFO(file);
     const auto content = cases::read_case(file, {}).content;
@@ -106,7 +109,12 @@ TEST_CASE("every case reads and runs, and its resolved form gives the same resul
     check_files(scratch / "first", content);
     check_xml(scratch / "first");
 
-    const auto again = run(scratch / "first" / "case.resolved.toml", scratch / "again", {});
+    const auto resolved = scratch / "first" / "case.resolved.toml";
+    CHECK(cases::resolved_toml(cases::read_case(resolved, {}).content) == text_of(resolved));
+    if (!run_again.insert({content.analysis.kind, content.growth.has_value(), content.discretization.formulation})
+             .second)
+      continue;  // the same case gives the same results; once of each kind
+    const auto again = run(resolved, scratch / "again", {});
     INFO(again.output);
     REQUIRE(again.exit_code == 0);
     check_files(scratch / "again", content);

@@ -241,7 +241,7 @@ void run(int count, const std::function<void(const plate::Communicator&)>& each)
   std::vector<std::thread> threads;
   for (int rank = 0; rank < count; ++rank)
     threads.emplace_back([&, rank] {
-      omp_set_num_threads(1);  // of each rank: more of them than cores wait for each other at every loop
+      if (count > 2) omp_set_num_threads(1);  // many more threads than cores wait for each other at every loop
       const ThreadCommunicator own(common, rank);
       try {
         each(own);
