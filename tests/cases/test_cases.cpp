@@ -110,10 +110,12 @@ TEST_CASE("every case reads and runs, and its resolved form gives the same case 
     check_xml(scratch / "first");
 
     const auto resolved = scratch / "first" / "case.resolved.toml";
-    CHECK(cases::resolved_toml(cases::read_case(resolved, {}).content) == text_of(resolved));
-    if (!run_again.insert({content.analysis.kind, content.growth.has_value(), content.discretization.formulation})
-             .second)
-      continue;  // the same case gives the same results; once of each kind
+    const bool stated = content.srif && content.srif->accuracy;  // a run begins anew to find its spacing
+    if (!stated) CHECK(cases::resolved_toml(cases::read_case(resolved, {}).content) == text_of(resolved));
+    const bool first =
+        run_again.insert({content.analysis.kind, content.growth.has_value(), content.discretization.formulation})
+            .second;
+    if (!first && !stated) continue;  // the same case gives the same results: once of each kind
     const auto again = run(resolved, scratch / "again", {});
     INFO(again.output);
     REQUIRE(again.exit_code == 0);
