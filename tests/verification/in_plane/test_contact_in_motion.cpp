@@ -214,8 +214,9 @@ TEST_CASE("contact in motion: a crack that opens and closes keeps energy and mom
       {{{-1.0, 0.1}, {0.2, 0.15}}},
       {{{-0.5, 0.0}, {0.5, 0.0}}, {{0.0, 0.0}, {0.2, 0.5}}},
       {{{-0.5, 0.0}, {0.5, 0.0}}, {{0.0, -0.5}, {0.0, 0.5}}}};
-  const auto& cracks = GENERATE(from_range(scenes));
-  const bool stretches = GENERATE(false, true);
+  const auto [scene, stretches] =
+      GENERATE(table<std::size_t, bool>({{0, false}, {0, true}, {1, false}, {2, false}, {3, false}, {3, true}}));
+  const auto& cracks = scenes[scene];
   const double h = 0.1;
   const auto found = breathe(breathing(h, stretches, cracks), 0.3 * h, 0.002, stretches ? 1 : 4);
   CAPTURE(cracks.size(), stretches, found.imbalance, found.lost, found.overlap, found.opening, found.momentum,

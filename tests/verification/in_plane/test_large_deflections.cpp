@@ -143,9 +143,7 @@ TEST_CASE("large deflections: round plates follow the equations of one radius", 
   using enum SupportKind;
   // own collocation of the axisymmetric equations with shear, 6 digits (clamped, 1 thickness: Way's problem of 1934);
   // q = p a^4 / (E h^4), h / a = 0.02, nu = 0.3
-  const std::vector<Square> plates{{clamped, InPlane::fixed, 3.327362, 0.5},
-                                   {clamped, InPlane::fixed, 9.132583, 1},
-                                   {clamped, InPlane::fixed, 39.36785, 2},
+  const std::vector<Square> plates{{clamped, InPlane::fixed, 9.132583, 1},
                                    {clamped, InPlane::fixed, 255.7923, 4},
                                    {simply_supported, InPlane::fixed, 150, 3.486436},
                                    {simply_supported, InPlane::free, 30, 3.926193}};
@@ -295,34 +293,33 @@ TEST_CASE("large deflections: a plate that nothing holds in its plane is pinned 
 
 TEST_CASE("large deflections: factors of a cracked square are within their estimated errors", "[in_plane]") {
   struct Crack {
-    double a, q, K1, N1;  // q = p / (E h^4), K1 over E h^4, N1 over E h^3; half the side is 1
+    double degrees, a, q, K1, N1;  // q = p / (E h^4), K1 over E h^4, N1 over E h^3; half the side is 1
   };
-  const std::vector<Crack> cracks{{0.3, 3, 0.07114803, 0.3578126}, {0.5, 20, 0.1211345, 1.75249}};
-  for (const auto& [a, q, K1, N1] : cracks)
-    for (const double degrees : {0.0, 30.0}) {
-      INFO("a " << a << ", turned by " << degrees);
-      const double h = 0.02;
-      auto c = pressed(16 * q, h, SupportKind::simply_supported, InPlane::fixed, 0.05, degrees);
-      const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
-      c.cracks = {{turn * Point(-a, 0), turn * Point(a, 0)}};
-      c.discretization.tip_spacing = h / 12, c.discretization.spacing_growth = 0.1;
-      c.srif.emplace();
-      const Found found(c);
-      const auto bending = post::srifs(*found.plates.plate, *c.srif, cases::tip_methods({c, {}}, *found.plates.plate),
-                                       found.state.bending);
-      const auto methods = cases::tip_methods({c, {}}, *found.plates.membrane);
-      const auto in_plane = cases::membrane_results(*found.plates.membrane, found.state.membrane,
-                                                    found.plates.membrane->total_load() + found.state.stretch.forces,
-                                                    {}, {c.srif, methods}, "", &found.state.stretch);
-      for (const auto* one : post::recommended(bending)) {
-        CHECK(std::abs(one->K1 / (std::pow(h, 4) * K1) - 1) < 0.01);
-        CHECK(std::abs(one->K1 - std::pow(h, 4) * K1) < one->errors[0].value());
-      }
-      for (const auto* one : post::recommended(in_plane.factors)) {
-        CHECK(std::abs(one->K1 / (std::pow(h, 3) * N1) - 1) < 0.003);
-        CHECK(std::abs(one->K1 - std::pow(h, 3) * N1) < one->errors[0].value());
-      }
+  const std::vector<Crack> cracks{{30, 0.3, 3, 0.07114803, 0.3578126}, {0, 0.5, 20, 0.1211345, 1.75249}};
+  for (const auto& [degrees, a, q, K1, N1] : cracks) {
+    INFO("a " << a << ", turned by " << degrees);
+    const double h = 0.02;
+    auto c = pressed(16 * q, h, SupportKind::simply_supported, InPlane::fixed, 0.05, degrees);
+    const Eigen::Rotation2Dd turn(degrees * std::numbers::pi / 180);
+    c.cracks = {{turn * Point(-a, 0), turn * Point(a, 0)}};
+    c.discretization.tip_spacing = h / 12, c.discretization.spacing_growth = 0.1;
+    c.srif.emplace();
+    const Found found(c);
+    const auto bending = post::srifs(*found.plates.plate, *c.srif, cases::tip_methods({c, {}}, *found.plates.plate),
+                                     found.state.bending);
+    const auto methods = cases::tip_methods({c, {}}, *found.plates.membrane);
+    const auto in_plane = cases::membrane_results(*found.plates.membrane, found.state.membrane,
+                                                  found.plates.membrane->total_load() + found.state.stretch.forces, {},
+                                                  {c.srif, methods}, "", &found.state.stretch);
+    for (const auto* one : post::recommended(bending)) {
+      CHECK(std::abs(one->K1 / (std::pow(h, 4) * K1) - 1) < 0.01);
+      CHECK(std::abs(one->K1 - std::pow(h, 4) * K1) < one->errors[0].value());
     }
+    for (const auto* one : post::recommended(in_plane.factors)) {
+      CHECK(std::abs(one->K1 / (std::pow(h, 3) * N1) - 1) < 0.003);
+      CHECK(std::abs(one->K1 - std::pow(h, 3) * N1) < one->errors[0].value());
+    }
+  }
 }
 
 TEST_CASE("large deflections: loads beyond all load steps are told, with their deflection by linear theory",

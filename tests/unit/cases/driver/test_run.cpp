@@ -88,9 +88,9 @@ TEST_CASE("factors again: state.h5 of a run with loads in the plane gives N1 and
 TEST_CASE("factors again: state.h5 of a run with large deflections gives all factors as the run does") {
   const small_run::TemporaryFolder scratch;
   const auto file = case_text::read(case_text::plain + "[srif]\n[output]\nfields = [\"hdf5\"]\nreport = false\n",
-                                    {"support[0].in_plane=\"fixed\"", "analysis.nonlinear=true", "load[0].value=5"});
+                                    {"support[0].in_plane=\"fixed\"", "analysis.nonlinear=true", "load[0].value=0.02"});
   const auto summary = cases::run(file, {scratch / "run", true});
-  CHECK(*summary.deflection_over_thickness > 0.5);
+  CHECK(*summary.deflection_over_thickness > 0.5);  // 4.5
   const auto table = cases::srif_again(scratch / "run", {});
   REQUIRE(table.rows.size() == summary.srif.size());
   std::size_t compared = 0;

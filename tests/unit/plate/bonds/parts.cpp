@@ -156,7 +156,7 @@ ContactForces check(const Problem& problem, const How& how) {
   for (std::size_t row = 0; row < whole.contact_force.size(); ++row)
     for (std::size_t i = 0; i < 4; ++i)
       CHECK(one.contact_force[row][i] == Approx(whole.contact_force[row][i]).epsilon(1e-9));
-  for (const int processes : {2, 3, 4, 7}) {
+  for (const int processes : how.processes) {
     INFO(processes << " processes");
     const End many = moved_by(processes, problem, how);
     CHECK(many.limit == one.limit);
@@ -166,23 +166,25 @@ ContactForces check(const Problem& problem, const How& how) {
   return whole.contact_force;
 }
 
-void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound) {
+void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound,
+                const std::vector<int>& processes) {
   const Rest whole = at_rest(problem, method, wanted, single_process());
   Rest one;
-  for (const int processes : {1, 3, 7}) {
-    INFO(processes << " processes");
+  std::vector<int> counts{1};
+  counts.insert(counts.end(), processes.begin(), processes.end());
+  for (const int count : counts) {
+    INFO(count << " processes");
     Rest all;
     const auto put = [&](Rest& own, bool first) {
       all.state.merge(own.state);
       if (first) all.iterations = own.iterations, all.strain = own.strain, all.pieces = own.pieces;
     };
     together(
-        processes, [&](const Communicator& communicator) { return at_rest(problem, method, wanted, communicator); },
-        put);
+        count, [&](const Communicator& communicator) { return at_rest(problem, method, wanted, communicator); }, put);
     REQUIRE(all.state.size() == whole.state.size());
     CHECK((all.pieces == whole.pieces));
     CHECK(std::abs(double(all.iterations) - double(whole.iterations)) <= 0.01 * double(whole.iterations));
-    if (processes == 1) one = all;
+    if (count == 1) one = all;
     double largest = 0, apart = 0, apart_of_whole = 0;
     for (const auto& [cell, value] : whole.state)
       for (std::size_t c = 0; c < 3; ++c) {

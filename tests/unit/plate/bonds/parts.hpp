@@ -34,16 +34,19 @@ struct How {
   bool mixed = false;
   Damping damping = {};
   std::size_t steps = 30;
+  std::vector<int> processes = {4, 7};  // beside one
 };
 
 /// Of a mass that hits: its place, velocity and force, and for how long it has touched.
 using ContactForces = std::vector<std::array<double, 4>>;
 
-/// In steps: 1 process against the ordinary program, any other number against 1, bit for bit. Returns what hits in
+/// In steps: 1 process against the ordinary program, other numbers against 1, bit for bit. Returns what hits in
 /// every tenth step.
 ContactForces check(const Problem& problem, const How& how = {});
 
-/// `bound`: of how far apart states are for different numbers of processes, over the largest; 0: the same bits.
-void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound);
+/// At rest: 1 process against the ordinary program, other numbers against 1. `bound`: of how far apart these are, over
+/// the largest; 0: the same bits.
+void check_rest(const Problem& problem, StaticMethod method, Preconditioning wanted, double bound,
+                const std::vector<int>& processes = {4});
 
 }  // namespace parts

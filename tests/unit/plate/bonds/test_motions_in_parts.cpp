@@ -158,23 +158,26 @@ TEST_CASE("a plate in parts: supports that move, an edge that turns, a pin, acro
 
 TEST_CASE("a plate in parts: soil that lifts off, in motion and at rest") {
   auto problem = pane();
-  problem.foundations = {{2000, 0, geometry::Hole(geometry::Circle{{2.5, 0.3}, 0.45, ""}), true}, {500, 0, {}, true}};
+  // the part is a polygon: a cell at a circle has a place for each of many short sides
+  const geometry::Polygon across{{{2.1, 0.1}, {2.9, -0.1}, {2.85, 0.6}, {2.3, 0.65}}, {"", "", "", ""}};
+  problem.foundations = {{2000, 0, geometry::Hole(across), true}, {500, 0, {}, true}};
   problem.initial = Initial{{}, Formula("4 * sin(3 * x) * (0.3 - y)")};
   SECTION("in motion") {
-    check(problem, {false, {30, 0}, 60});
+    check(problem, {false, {30, 0}});
   }
   SECTION("in motion, beside an edge that rises") {
     Load rises{Settlement{.value = 0.01, .slope = {0, 0.005}}};
     rises.history.kind = History::Kind::table, rises.history.table = {{0, 0}, {0.001, 0.3}, {0.003, 1}};
     problem.loads = {rises};
-    check(problem, {false, {30, 0}, 60});
+    check(problem, {false, {30, 0}});
   }
   SECTION("at rest") {
     problem.initial.reset();
     problem.discretization.spacing = 0.02;
-    problem.outline = geometry::rectangle(0, 0, 0.5, 2.4), problem.cracks = {{{0.2, 0.6}, {0.23, 1.1}}};
-    problem.foundations[0].patch = geometry::Circle{{0.3, 0.9}, 0.7, ""};
-    const Load wheel{Pressure{.value = -50, .patch = geometry::Circle{{0.3, 0.9}, 0.2, ""}}};
+    problem.outline = geometry::rectangle(0, 0, 0.3, 1.3), problem.cracks = {{{0.12, 0.5}, {0.15, 0.85}}};
+    problem.foundations[0].patch =
+        geometry::Polygon{{{-0.1, 0.3}, {0.4, 0.25}, {0.4, 1.15}, {-0.1, 1.1}}, {"", "", "", ""}};
+    const Load wheel{Pressure{.value = -50, .patch = geometry::Circle{{0.18, 0.8}, 0.1, ""}}};
     problem.loads = {wheel, pressure(0.01)};
     check_rest(problem, StaticMethod::cg, Preconditioning::diagonal, 0);
     check_rest(problem, StaticMethod::cg, Preconditioning::two_level, 1e-12);

@@ -74,7 +74,7 @@ TEST_CASE("Lanczos motion: that of small steps, under loads of every history") {
   const Setting s;
   const History step, sine{History::Kind::sine, 0, 0.07, {}};
   const History table{History::Kind::table, 0, 0, {{1.3, 0}, {2.1, 1}, {9.7, -0.4}, {30, 0.2}}};
-  for (const auto& histories : {std::vector{step}, {ramp(3.3)}, {table}, {sine}, {step, ramp(7), table}}) {
+  for (const auto& histories : {std::vector{ramp(3.3)}, {sine}, {step, ramp(7), table}}) {
     const auto found = s.move(histories, 1e-12);
     const auto expected = s.by_steps(histories);
     REQUIRE(found.w.size() == expected.size());
