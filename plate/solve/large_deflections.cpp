@@ -142,8 +142,16 @@ double displacement_of(const Formulation& plate, const PlateLoads& loads, const 
   return loads.heat.points() == 0 ? linear : linear - work(plate, product(loads.heat, bending), bending) / 2;
 }
 
+/// Largest value of the points that any rank owns; ghosts may be those of an earlier state.
+double largest_of_points(const Formulation& plate, const Eigen::RowVectorXd& values) {
+  double result = 0;
+  for (Eigen::Index k = 0; k < values.size(); ++k)
+    if (plate.boundary().owns(std::size_t(k))) result = std::max(result, values[k]);
+  return largest_of(plate, result);
+}
+
 double largest_deflection(const Formulation& plate, const State& bending) {
-  return largest_of(plate, bending.row(0).cwiseAbs().maxCoeff());
+  return largest_of_points(plate, bending.row(0).cwiseAbs());
 }
 
 /// The solution of a factor for folded forces.
@@ -749,7 +757,7 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
     const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);
     result.touching.faces = contact_->rows().contacts((now.on_faces.array() > 0).select(0, openings), now.on_faces);
   }
-  result.largest_rotation = largest_of(plate_, now.bending.bottomRows(2).colwise().norm().maxCoeff());
+  result.largest_rotation = largest_of_points(plate_, now.bending.bottomRows(2).colwise().norm());
   result.stretch = plane_.stretching().stretch(now.bending);
   result.membrane_forces = plane_.stretching().membrane_forces(now.bending, now.membrane);
   result.bending = std::move(now.bending), result.membrane = std::move(now.membrane);

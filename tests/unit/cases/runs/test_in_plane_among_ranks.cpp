@@ -185,7 +185,7 @@ TEST_CASE("a plate in parts: frequencies under loads in the plane and buckling")
     INFO(processes << " processes");
     CHECK(apart(frequencies.frequencies, found(vibrating, processes).frequencies, {"frequency"}) < 1e-11);
     const auto many = found(buckling, processes);
-    CHECK(apart(factors.numbers.at("buckling"), many.numbers.at("buckling"), {"factor"}) < 1e-11);
+    CHECK(apart(factors.numbers.at("buckling"), many.numbers.at("buckling"), {"factor"}) < 1e-11);  // by MPI 3e-12
     CHECK(many.warnings == factors.warnings);
   }
 }
