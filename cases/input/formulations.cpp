@@ -85,9 +85,6 @@ void add_stretching(const Case& content, std::vector<Asked>& found) {
   if (content.analysis.kind == Analysis::Kind::frequencies)
     add("frequencies under loads in the plane", "analysis.kind");
   if (content.moves()) add("motion under loads in the plane", "analysis.kind");
-  if (content.growth && !content.growth->by_bonds())
-    found.push_back({"growth under loads in the plane", "growth", Feature::growth_in_plane, true,
-                     "choose formulation = \"galerkin\""});
 }
 
 void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {

@@ -338,7 +338,6 @@ const FormulationKind ordinary{
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
      {Feature::touching_faces, "bonds have no points on the faces of cracks"},
      {Feature::hubs_in_holes, "bonds have no points on the rim of a hole, which a hub would move"},
-     {Feature::growth_in_plane, "growth under loads in the plane was measured of the Galerkin plate alone"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
      {Feature::any_direction, "these supports mirror or extend the lattice, at edges along x or y"},
      {Feature::lanczos, "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass"},
