@@ -48,6 +48,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {growth, "`[growth]`"},
     {growth_of_bonds, "`[growth]` by single bonds"},
     {growth_of_bonds_at_rest, "`[growth]` by single bonds, at rest"},
+    {growth_by_curvature, "`growth.criterion = \"curvature_shear\"`"},
     {growth_of_heated_cracks_in_motion, "`[growth]` of tips in motion"},
     {growth_by_displacement, "`growth.control` other than `\"load\"`"},
     {growth_from_rest_to_motion, "`growth.unstable = \"move\"`"},
@@ -214,11 +215,10 @@ const std::vector<Exclusion> excluded_pairs{
      "\"lanczos\" moves plates that bend alone, and loads act in the plane; choose \"central_difference\""},
     {load_in_plane, stiffness_damping, "analysis.damping",
      "damping by the stiffness does not act in the plane yet: give mass alone"},
-    {load_in_plane, growth_of_bonds, "growth.criterion",
-     "bonds break by the energy of bending alone, not by that of loads in the plane: choose \"energy_release\""},
-    {load_in_plane, growth_of_heated_cracks_in_motion, "growth",
-     "growth in motion takes no account of loads in the plane: let cracks grow at rest, with unstable = \"stop\" or "
-     "\"jump\""},
+    {load_in_plane, growth_by_curvature, "growth.criterion",
+     "limits of curvature and shear say nothing of strains in the plane: choose \"bond_energy\""},
+    {growth_in_plane, frozen_pieces, "growth.fallen",
+     "\"freeze\" holds pieces of plates that bend alone: choose \"move\""},
     {large_deflections_in_motion, mean_temperature, "analysis.nonlinear",
      "heat in the plane is carried with large deflections at rest, not in motion yet: choose kind = \"static\", or "
      "remove it"},
@@ -334,6 +334,7 @@ void add_growth(const Case& content, AskedParts& add) {
   add(true, growth);
   add(bonds, growth_of_bonds);
   add(bonds && rests, growth_of_bonds_at_rest);
+  add(g.criterion == fracture::Growth::Criterion::curvature_shear, growth_by_curvature);
   add(!bonds && (moves || to_motion), growth_of_heated_cracks_in_motion);
   add(g.control != fracture::Growth::Control::load, growth_by_displacement);
   add(to_motion, growth_from_rest_to_motion);

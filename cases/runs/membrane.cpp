@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "cases/runs/cost_estimate.hpp"
+#include "fracture/breakage/damaged_plate.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
@@ -28,10 +29,11 @@ namespace cases {
 namespace {
 
 /// Forces in the plane: the couples on theta_x = -v and theta_y = u.
-std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulation& membrane, const plate::State& state,
+std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulation& membrane,
+                                                          const plate::Operator& stiffness, const plate::State& state,
                                                           const plate::Forces& load) {
   post::ReactionRows rows;
-  rows.add(0, membrane, membrane, state, load);
+  rows.add(0, membrane, stiffness, state, load);
   std::vector<post::MembraneSummary::Reaction> result;
   const auto found = rows.summary();
   for (std::size_t i = 0; found && i < found->supports.size(); ++i) {
@@ -45,12 +47,13 @@ std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulati
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
-                                const std::string& where, const plate::Stretch* stretch) {
+                                const std::string& where, const plate::Stretch* stretch,
+                                const fracture::DamagedPlate* damaged) {
   const auto& [options, methods, all_rings, largest_before, known] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
-  result.forces = membrane.resultants(state);
+  result.forces = damaged ? damaged->resultants(state) : membrane.resultants(state);
   plate::relieve(result.forces, membrane.section(), heat);
   result.fields.displacement.resize(2, points);
   result.fields.displacement << state.row(2).head(points), -state.row(1).head(points);
@@ -71,10 +74,11 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   }
   auto& summary = result.summary;
   result.stored = plate::stored(membrane, heat, state);
-  summary.strain_energy = membrane.strain_energy(state) + result.stored;
+  summary.strain_energy = (damaged ? plate::half_work(*damaged, state) : membrane.strain_energy(state)) + result.stored;
   summary.external_work = post::slow_work(membrane, load, state) + result.stored;
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
-  summary.reactions = reactions_of(membrane, state, load);
+  const auto& stiffness = damaged ? static_cast<const plate::Operator&>(*damaged) : membrane;
+  summary.reactions = reactions_of(membrane, stiffness, state, load);
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include "plate/formulation/tip_view.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/stretching.hpp"
 #include "post/files/frame.hpp"
 
 namespace fracture {
@@ -116,6 +117,12 @@ DamagedPlate::DamagedPlate(const plate::FamilyOperator& base, const plate::Bound
   for (const auto& shape : base.shapes()) reach_ = std::max(reach_, shape.length / boundary.cloud.units.spacing);
 }
 
+DamagedPlate::DamagedPlate(const plate::Formulation& start, const plate::Formulation* membrane,
+                           std::shared_ptr<const plate::Surroundings> seen)
+    : DamagedPlate(*start.breaking(), start.boundary(), {start.section(), start.discretization()}, std::move(seen)) {
+  if (membrane) plane_ = std::make_unique<DamagedPlate>(*membrane, nullptr, nullptr);
+}
+
 /// `left`: share of the family's second moment that is left; `ids`: of its bond vectors.
 void DamagedPlate::soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const {
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -126,7 +133,8 @@ void DamagedPlate::soften(plate::FamilyWeights& family, double left, const std::
   }
   const double share = std::min(1.0, left / gives_way);
   const double bending = std::min(share, stiffest_.bending / bending_stiffness(family.a, family.bonds));
-  const double shear = std::min(share, stiffest_.shear / shear_stiffness(family.bonds));
+  const double resists = shear_stiffness(family.bonds);  // nothing in the plane
+  const double shear = resists > 0 ? std::min(share, stiffest_.shear / resists) : share;
   if (bending == 1 && shear == 1) return;
   family.a *= bending;
   for (auto& bond : family.bonds) bond.B *= bending, bond.S *= shear;
@@ -246,6 +254,14 @@ DamagedPlate::CutBonds DamagedPlate::cut_by(const CrackPiece& piece) const {
   return result;
 }
 
+/// Result of a change of the plane under its part of a motion; 0 where there is none.
+double DamagedPlate::of_plane(const Motion& motion, const std::function<double(const Motion&)>& change) const {
+  if (!plane_) return 0;
+  const plate::State state = plate::of_plane(motion.state);
+  const plate::State velocity = motion.time_step == 0 ? plate::no_state() : plate::of_plane(motion.velocity);
+  return change({state, velocity, motion.time_step});
+}
+
 /// Pairs of pieces that have points in common, on any rank; a piece and itself where a breakage that goes on has some
 /// of its points.
 std::vector<std::array<std::size_t, 2>> DamagedPlate::sharing(const std::vector<CutBonds>& cuts) const {
@@ -275,12 +291,18 @@ std::size_t DamagedPlate::begin_breakage(CutBonds cut) {
   return going_.back().number;
 }
 
+std::vector<DamagedPlate::CutBonds> DamagedPlate::cuts_by(const std::vector<CrackPiece>& pieces) const {
+  std::vector<CutBonds> result;
+  for (const auto& piece : pieces) result.push_back(cut_by(piece));
+  return result;
+}
+
 std::vector<std::optional<std::size_t>> DamagedPlate::break_bonds(const std::vector<CrackPiece>& pieces) {
-  std::vector<CutBonds> cuts;
-  for (const auto& piece : pieces) cuts.push_back(cut_by(piece));
+  const auto cuts = cuts_by(pieces), in_plane = plane_ ? plane_->cuts_by(pieces) : std::vector<CutBonds>{};
   std::vector<std::size_t> first(pieces.size());  // of the pieces that share points with each
   std::iota(first.begin(), first.end(), 0);
-  const auto shared = sharing(cuts);
+  auto shared = sharing(cuts);
+  if (plane_) std::ranges::copy(plane_->sharing(in_plane), std::back_inserter(shared));
   for (const auto& [i, j] : shared)
     std::ranges::replace(first, std::max(first[i], first[j]), std::min(first[i], first[j]));
   std::vector<char> waits(pieces.size(), 0);
@@ -291,13 +313,17 @@ std::vector<std::optional<std::size_t>> DamagedPlate::break_bonds(const std::vec
     std::ranges::sort(to);
     to.erase(std::ranges::unique(to).begin(), to.end());
   };
+  const auto all_of = [&](const std::vector<CutBonds>& some, std::size_t i) {
+    CutBonds all;
+    for (std::size_t j = i; j < pieces.size(); ++j)
+      if (first[j] == i) add(all.bonds, some[j].bonds), add(all.points, some[j].points);
+    return all;
+  };
   std::vector<std::optional<std::size_t>> result(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (first[i] != i || waits[i]) continue;
-    CutBonds all;
-    for (std::size_t j = i; j < pieces.size(); ++j)
-      if (first[j] == i) add(all.bonds, cuts[j].bonds), add(all.points, cuts[j].points);
-    const auto number = begin_breakage(std::move(all));
+    const auto number = begin_breakage(all_of(cuts, i));
+    if (plane_) plane_->begin_breakage(all_of(in_plane, i));
     for (std::size_t j = i; j < pieces.size(); ++j)
       if (first[j] == i) result[j] = number;
   }
@@ -305,11 +331,12 @@ std::vector<std::optional<std::size_t>> DamagedPlate::break_bonds(const std::vec
 }
 
 double DamagedPlate::carry_on(std::size_t number, double share, const Motion& motion) {
+  const double in_plane = of_plane(motion, [&](const Motion& its) { return plane_->carry_on(number, share, its); });
   const auto found = std::ranges::find(going_, number, &OngoingBreakage::number);
   const double fraction = share >= 1 ? 1 : (share - found->share) / (1 - found->share);
   std::vector<double> spent;
   for (const auto k : found->points) spent.push_back(approach(k, fraction, motion));
-  const double all = sum_of_all(found->points, spent);
+  const double all = sum_of_all(found->points, spent) + in_plane;
   found->share = share;
   if (share < 1) return all;
   for (const auto k : found->points) changed_[std::size_t(broken_.number(k))].ongoing = false;
@@ -350,11 +377,13 @@ void DamagedPlate::break_bonds(const std::vector<PointPair>& bonds, unsigned ste
   for (const auto k : touched) retarget(k);
   std::ranges::sort(easing_);  // energies are added in an order that a resumed run finds again
   easing_left_ = std::max(easing_left_, steps);
+  if (plane_) plane_->break_bonds(bonds, steps);
 }
 
 double DamagedPlate::carry_on_all(const Motion& motion) {
   if (easing_left_ == 0) return 0;
   --easing_left_;
+  const double in_plane = of_plane(motion, [&](const Motion& its) { return plane_->carry_on_all(its); });
   std::vector<double> spent(easing_.size());
 #pragma omp parallel for schedule(static) if (easing_.size() > 32)
   for (std::size_t n = 0; n < easing_.size(); ++n) {
@@ -362,7 +391,7 @@ double DamagedPlate::carry_on_all(const Motion& motion) {
     spent[n] = approach(easing_[n], 1.0 / left, motion);
     --left;
   }
-  const double sum = sum_of_all(easing_, spent);
+  const double sum = sum_of_all(easing_, spent) + in_plane;
   std::erase_if(easing_, [&](std::uint32_t k) { return changed_[std::size_t(broken_.number(k))].left == 0; });
   return sum;
 }
@@ -403,6 +432,11 @@ void DamagedPlate::internal_force(const plate::State& state, plate::Forces& forc
   }
 }
 
+plate::Resultants DamagedPlate::resultants(const plate::State& state) const {
+  return plate::resultants(state, families_, base_.shapes(), boundary_.cloud.areas, boundary_.cloud.plate_points,
+                           rule_.section());
+}
+
 std::shared_ptr<const plate::TipView> DamagedPlate::tip_view() const {
   return std::make_shared<plate::BondView>(boundary_.cloud, families_, base_.shapes(), rule_.section(),
                                            rule_.discretization());
@@ -413,7 +447,7 @@ plate::Mesh DamagedPlate::draw(post::Frame& frame, const plate::State& state, co
   const auto& first = base_.families();
   const auto& shapes = base_.shapes();
   const auto& cloud = boundary_.cloud;
-  frame.resultants = plate::resultants(state, families_, shapes, cloud.areas, cloud.plate_points, start.section());
+  frame.resultants = resultants(state);
   frame.damage.assign(cloud.plate_points, 0);
   const auto weight = [&](const geometry::Families& of, std::size_t k) {
     double sum = 0;

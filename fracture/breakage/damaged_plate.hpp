@@ -2,6 +2,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,6 +18,7 @@ namespace plate {
 class Formulation;
 class TipView;
 struct Mesh;
+struct Resultants;
 struct Surroundings;
 }  // namespace plate
 
@@ -121,6 +123,8 @@ struct CrackPiece {
 /// since in the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds
 /// left, at once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than
 /// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
+/// Where loads act in its plane, the same bonds break there: plane(). A motion is then one of stacked() states; forces,
+/// views and drawings are of this plate alone.
 class DamagedPlate : public plate::Operator {
 public:
   /// Constructs the undamaged plate; all arguments but the rule must outlive this. `seen`: in a distributed plate, the
@@ -128,6 +132,10 @@ public:
   /// factors need.
   DamagedPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
                std::shared_ptr<const plate::Surroundings> seen = {});
+  /// `start`: of a formulation whose bonds break; `membrane`: the same points in their plane (PlateLaw::membrane), by
+  /// one process; null: no loads act there. Both must outlive this.
+  DamagedPlate(const plate::Formulation& start, const plate::Formulation* membrane,
+               std::shared_ptr<const plate::Surroundings> seen);
 
   std::size_t points() const override { return base_.points(); }
   void internal_force(const plate::State& state, plate::Forces& forces) const override;
@@ -137,6 +145,9 @@ public:
     base_.absolute_product(state, forces);
   }
   plate::Forces diagonal() const override { return base_.diagonal(); }
+
+  /// The same points in their plane; null where no loads act there.
+  const DamagedPlate* plane() const { return plane_.get(); }
 
   /// Constraints of the boundary; where the plate is distributed, they fetch the values of all points that this rank
   /// knows.
@@ -162,6 +173,8 @@ public:
   /// Carries the families that lose single bonds on by a step; returns the energy that this takes.
   double carry_on_all(const Motion& motion);
 
+  /// Moments and shear forces, or membrane forces, of every point of the plate.
+  plate::Resultants resultants(const plate::State& state) const;
   /// View of the plate for the tips of its cracks in its present state. This must outlive it.
   std::shared_ptr<const plate::TipView> tip_view() const;
   /// The cells, cut along the cracks; sets the frame's resultants and damage. `start`: the plate before.
@@ -170,6 +183,7 @@ public:
   /// Families without the bonds that have broken so far.
   const geometry::Families& families() const { return families_; }
   const plate::FamilyOperator& base() const { return base_; }
+  const plate::Section& section() const { return rule_.section(); }
   const plate::PointMap& map() const { return boundary_.map; }
   const BrokenBonds& broken() const { return broken_; }
   /// Factor of the dilatation [force length] and weights of the i-th bond of the base's family, as they are now.
@@ -198,6 +212,7 @@ private:
   };
   CutBonds cut_by(const CrackPiece& piece) const;
   std::vector<std::array<std::size_t, 2>> sharing(const std::vector<CutBonds>& cuts) const;
+  std::vector<CutBonds> cuts_by(const std::vector<CrackPiece>& pieces) const;
   std::size_t begin_breakage(CutBonds cut);
   void lose(std::uint32_t k, std::size_t i, std::uint64_t place);
   Change& change(std::uint32_t k);
@@ -207,6 +222,7 @@ private:
   /// Sum of the values of these points over all ranks, each of which counts the points that it owns.
   double sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const;
   void soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const;
+  double of_plane(const Motion& motion, const std::function<double(const Motion&)>& change) const;
   double approach(std::uint32_t k, double fraction, const Motion& motion);
   /// Sets the differences of a change, by its number, to what its weights are now.
   void differ(std::size_t number);
@@ -214,6 +230,7 @@ private:
   const plate::FamilyOperator& base_;
   const plate::Boundary& boundary_;
   plate::FamilyRule rule_;
+  std::unique_ptr<DamagedPlate> plane_;
   std::vector<char> known_;                  // points whose families are followed; empty: all
   std::optional<plate::Constraints> wider_;  // where the plate is distributed
   geometry::Families families_;

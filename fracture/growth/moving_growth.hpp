@@ -16,13 +16,15 @@ namespace fracture {
 /// Cracks that grow while the plate moves: the plate whose bonds they break, and what is recorded of them.
 class MovingGrowth {
 public:
-  /// `start`: of a formulation whose bonds break. `factors`: where intensity factors are wanted. All references must
-  /// outlive this.
+  /// `start`: of a formulation whose bonds break. `factors`: where intensity factors are wanted. `membrane`: the same
+  /// points in their plane, where loads act there: steps have stacked() states then. All references must outlive this.
   MovingGrowth(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-               double rotary_inertia);
+               double rotary_inertia, const plate::Formulation* membrane = nullptr);
   virtual ~MovingGrowth() = default;
 
   const plate::Operator& plate() const { return plate_; }
+  /// The plate in its plane; null where no loads act there.
+  const DamagedPlate* plane() const { return plate_.plane(); }
   const plate::Constraints& constraints() const { return plate_.constraints(); }
   plate::Changes& changes();
   virtual double fracture_energy() const = 0;
@@ -34,6 +36,8 @@ public:
   /// Factors of the tips where they are now, of those that this process has, by the methods that are wanted; none of
   /// tips beside edges and other cracks.
   std::vector<post::Srif> factors(const plate::State& state) const;
+  /// Likewise of the plate in its plane: N1 and N2 as K1 and K2.
+  std::vector<post::Srif> factors_in_plane(const plate::State& state) const;
   /// The cells, cut along the cracks; sets the frame's resultants, damage and cracks. `factors`: of the tips.
   plate::Mesh draw(post::Frame& frame, const plate::State& state, const std::vector<post::Srif>& factors) {
     frame.cracks = record().cracks;
@@ -66,6 +70,7 @@ protected:
 
   const Growth& growth_;
   const plate::Formulation& start_;
+  const plate::Formulation* membrane_;
   DamagedPlate plate_;
   Record record_;
 
@@ -77,7 +82,8 @@ private:
 
 /// Constructs the growth that the criterion needs.
 std::unique_ptr<MovingGrowth> moving_growth(const Growth& growth, const plate::Formulation& start,
-                                            std::optional<post::SrifOptions> factors, double rotary_inertia);
+                                            std::optional<post::SrifOptions> factors, double rotary_inertia,
+                                            const plate::Formulation* membrane = nullptr);
 
 /// Bonds that break while a plate moves (theory.md, "Bonds that break"). Called in every step.
 class BreakingBonds : public plate::Changes {
@@ -123,7 +129,7 @@ std::vector<LoadedBond> first_to_break(const std::vector<LoadedBond>& failing);
 class MovingBonds : public MovingGrowth {
 public:
   MovingBonds(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-              double rotary_inertia);
+              double rotary_inertia, const plate::Formulation* membrane = nullptr);
 
   double fracture_energy() const override { return bonds_.fracture_energy(); }
   void look(double time) override;
@@ -140,6 +146,7 @@ private:
   std::vector<geometry::CrackPath> cuts() const override { return cracks_.cuts(); }
 
   BondLimits limits_;
+  std::optional<BondLimits> limits_in_plane_;
   BondCheck check_;
   BondCracks cracks_;
   BreakingBonds bonds_;
@@ -151,7 +158,7 @@ private:
 class MovingTips : public MovingGrowth {
 public:
   MovingTips(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-             double rotary_inertia);
+             double rotary_inertia, const plate::Formulation* membrane = nullptr);
 
   double fracture_energy() const override { return cracks_.fracture_energy(); }
   void look(double) override {}

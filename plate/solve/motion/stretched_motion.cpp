@@ -24,14 +24,15 @@ Forces mass_in_plane(const Formulation& plate) {
 
 }  // namespace
 
-StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary)
+StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary,
+                                 std::optional<Growing> growing)
     : plate_(plate),
       membrane_(membrane),
+      growing_(growing),
+      linear_(growing ? growing->plate : plate, growing ? growing->membrane : membrane),
+      constraints_(stacked(plate.constraints(), membrane.constraints(), plate.points())),
       unconstrained_mass_(stacked(plate::unconstrained_mass(plate, rotary), mass_in_plane(plate))) {
   if (plate.problem().stretches) stretching_ = membrane.stretching();
-  constraints_.add(plate.constraints(), 0);
-  constraints_.add(membrane.constraints(), std::uint32_t(plate.points()));
-  constraints_.resolve();
   if (!plate.problem().faces_touch()) return;
   pairs_ = plate.face_pairs();
   const Forces mass = this->mass();
@@ -46,25 +47,20 @@ std::size_t StretchedMotion::points() const {
 }
 
 void StretchedMotion::internal_force(const State& state, Forces& forces) const {
+  if (!stretching_) return linear_.internal_force(state, forces);
   const State bending = of_plate(state), membrane = of_plane(state);
   Forces on_bending, on_membrane, stretched;
   plate_.internal_force(bending, on_bending);
-  if (stretching_)
-    stretching_->internal_force(bending, membrane, stretched, on_membrane), on_bending += stretched;
-  else
-    membrane_.internal_force(membrane, on_membrane);
+  stretching_->internal_force(bending, membrane, stretched, on_membrane), on_bending += stretched;
   forces = stacked(on_bending, on_membrane);
 }
 
 void StretchedMotion::absolute_product(const State& state, Forces& forces) const {
-  Forces on_bending, on_membrane;
-  plate_.absolute_product(of_plate(state), on_bending);
-  membrane_.absolute_product(of_plane(state), on_membrane);
-  forces = stacked(on_bending, on_membrane);
+  linear_.absolute_product(state, forces);
 }
 
 Forces StretchedMotion::diagonal() const {
-  return stacked(plate_.diagonal(), membrane_.diagonal());
+  return linear_.diagonal();
 }
 
 Forces StretchedMotion::mass() const {
@@ -91,6 +87,7 @@ Forces StretchedMotion::load_in_plane(double time) const {
 
 double StretchedMotion::energy_in_plane(const State& state) const {
   const State membrane = of_plane(state);
+  if (growing_) return half_work(growing_->membrane, membrane);
   return stretching_ ? stretching_->energies(of_plate(state), membrane).sum() : membrane_.strain_energy(membrane);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
@@ -18,8 +19,15 @@ struct Analysis;
 /// Karman's strains, and its forces are not linear in the state; else neither part acts on the other.
 class StretchedMotion : public Operator {
 public:
-  /// Both must outlive this. `rotary`: factor of the rotary inertia.
-  StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary);
+  /// Stiffness of a plate and its plane while their cracks grow.
+  struct Growing {
+    const Operator &plate, &membrane;
+  };
+
+  /// All must outlive this. `rotary`: factor of the rotary inertia; `growing`: in place of the stiffness of both, of a
+  /// plate whose plane does not stretch.
+  StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary,
+                  std::optional<Growing> growing = {});
   ~StretchedMotion() override;
 
   std::size_t points() const override;
@@ -57,6 +65,8 @@ public:
 private:
   const Formulation& plate_;
   const Formulation& membrane_;
+  std::optional<Growing> growing_;
+  StackedOperator linear_;
   std::unique_ptr<const Stretching> stretching_;
   Constraints constraints_;
   Forces unconstrained_mass_;
