@@ -112,8 +112,8 @@ void set_dilatations(const DamagedPlate& plate, const plate::State& state, Eigen
     const auto family = families[k];
     double sum = 0;
     for (std::size_t i = 0; i < family.size(); ++i)
-      sum += plate.weights(k, i).D * curvature_difference(shapes[family[i].vector_id], own,
-                                                          kinematics(state, offset + family[i].neighbour));
+      sum += plate.weights(k, i).D *
+             curvature_difference(shapes[family[i].vector_id], own, kinematics(state, offset + family[i].neighbour));
     dilatations[k] = plate.a(k) * sum;
   }
 }
@@ -202,8 +202,7 @@ double BondCheck::demand(std::uint32_t k, std::size_t i, const plate::State& sta
   const auto& shape = base.shapes()[id];
   const auto own = kinematics(state, k), other = kinematics(state, j);
   const double curvature = curvature_difference(shape, own, other), shear = shear_difference(shape, own, other);
-  const double energy =
-      energy_of(plate_, {k, j, i, base.families()[j].find(k)}, areas, dilatation_, curvature, shear);
+  const double energy = energy_of(plate_, {k, j, i, base.families()[j].find(k)}, areas, dilatation_, curvature, shear);
   const double weight = shape.weight * areas[k] * areas[j];
   if (!in_plane_) return limits_.demand(energy, curvature, shear, shape.length, weight);
   const auto& plane = *plate_.plane();

@@ -261,8 +261,8 @@ void MovingCracks::after_force(const plate::Step& now, const plate::Forces& forc
       elastic_supports.take_force(now.state, own);
       plate_.constraints().fetch(own);
     }
-    const TipMeasurement seen = look(tip, membrane_ ? Strained{bent, own, &plane, &in_plane}
-                                                    : Strained{now.state, own.size() > 0 ? own : force});
+    const TipMeasurement seen = look(
+        tip, membrane_ ? Strained{bent, own, &plane, &in_plane} : Strained{now.state, own.size() > 0 ? own : force});
     tip.ended = !seen.fits;
     if (tip.ended) continue;
     tip.next_look = now.step + look_every;

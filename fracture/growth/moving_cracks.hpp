@@ -91,11 +91,11 @@ private:
   struct MovingTip {
     geometry::Tip tip;
     double speed;
-    double length = 0, spent = 0;                        // of all pieces
-    std::deque<std::pair<double, double>> recent = {};   // lengths and energies of the last ones
-    double since_look = 0;                               // length gone without a look at the factors
-    std::size_t next_look = 0;                           // step
-    std::shared_ptr<const Gauge> gauge = {};             // of the tip where it is
+    double length = 0, spent = 0;                       // of all pieces
+    std::deque<std::pair<double, double>> recent = {};  // lengths and energies of the last ones
+    double since_look = 0;                              // length gone without a look at the factors
+    std::size_t next_look = 0;                          // step
+    std::shared_ptr<const Gauge> gauge = {};            // of the tip where it is
     std::optional<Running> running = {};
     bool ended = false;
 

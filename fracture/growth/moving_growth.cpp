@@ -115,9 +115,9 @@ MovingBonds::MovingBonds(const Growth& growth, const plate::Formulation& start,
                          const plate::Formulation* membrane)
     : MovingGrowth(growth, start, std::move(factors), rotary_inertia, membrane),
       limits_(growth, start.section(), start.discretization()),
-      limits_in_plane_(membrane ? std::optional<BondLimits>(
-                                      std::in_place, growth, membrane->section(), membrane->discretization())
-                                : std::nullopt),
+      limits_in_plane_(
+          membrane ? std::optional<BondLimits>(std::in_place, growth, membrane->section(), membrane->discretization())
+                   : std::nullopt),
       check_(growth, limits_, plate_, start.boundary(), limits_in_plane_ ? &*limits_in_plane_ : nullptr),
       cracks_(start, start.section().shear_wave_speed()),
       bonds_(plate_, check_, [this](const auto& bonds, double time) { return broke(bonds, time); }) {}

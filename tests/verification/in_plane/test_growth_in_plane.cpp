@@ -1,5 +1,5 @@
-// Cracks that grow at rest by loads in the plane, alone and beside bending. References: Tada, Paris and Irwin; Erdogan
-// and Sih; the energy of the plate itself.
+// Cracks that grow at rest and in motion by loads in the plane, alone and beside bending. References: Tada, Paris and
+// Irwin; Erdogan and Sih; the energy of the plate itself.
 #include <fmt/format.h>
 #include <numbers>
 
@@ -22,6 +22,7 @@ struct Cracked {
   double spacing = 0.02, tip_spacing = 0;  // 0: as everywhere
   double traction = 1, moment = 0;
   bool contact = false;
+  std::string formulation = "galerkin";
   std::string growth = "direction = \"straight\"\nincrement = 2.5\nmax_advances = 4";
 
   std::string toml() const {
@@ -30,14 +31,15 @@ struct Cracked {
         "[section]\nyoung = {}\npoisson = {}\nthickness = {}\n[geometry]\noutline = {{ rectangle = [{}, {}, {}, {}] "
         "}}\ncracks = [[[{:.17g}, {:.17g}], [{:.17g}, {:.17g}]]]\n",
         section.young, section.poisson, section.thickness, -x, -y, x, y, -c, -s, c, s);
-    text += fmt::format("[discretization]\nspacing = {}\nformulation = \"galerkin\"\n", spacing);
+    text += fmt::format("[discretization]\nspacing = {}\nformulation = \"{}\"\n", spacing, formulation);
     if (tip_spacing > 0) text += fmt::format("tip_spacing = {}\n", tip_spacing);
     text +=
         fmt::format("[[support]]\nkind = \"pinned\"\npoints = [[{}, {}], [{}, {}], [{}, {}]]\n", -x, -y, x, -y, x, y);
     if (contact) text += "[cracks]\ncontact = true\n";
     if (moment != 0)
       text += fmt::format("[[load]]\nkind = \"edge_moment\"\nedges = [\"bottom\", \"top\"]\nvalue = {}\n", moment);
-    text += fmt::format("[[support]]\nkind = \"in_plane\"\npoints = [[{}, {}], [{}, {}]]\n", -x, -y, -x + spacing, -y);
+    const double pin = formulation == "galerkin" ? -x + spacing : x;
+    text += fmt::format("[[support]]\nkind = \"in_plane\"\npoints = [[{}, {}], [{}, {}]]\n", -x, -y, pin, -y);
     if (traction != 0)
       text += fmt::format("[[load]]\nkind = \"edge_traction\"\nedges = [\"bottom\", \"top\"]\nvalue = {}\n", traction);
     return text +
@@ -83,10 +85,11 @@ double strip_factor(double share) {
 
 TEST_CASE("growth in the plane: a crack in a strip in tension grows straight on where N1 is critical") {
   const auto* direction = GENERATE("tangential_moment", "energy_release");
-  Cracked plate;
+  const auto* formulation = GENERATE("galerkin", "ordinary");
+  Cracked plate{.formulation = formulation};
   plate.growth = fmt::format("direction = \"{}\"\nincrement = 2.5\nmax_advances = 4", direction);
   const Grown run(plate);
-  CAPTURE(direction, run.summary.growth->outcome);
+  CAPTURE(direction, formulation, run.summary.growth->outcome);
   REQUIRE(run.table("growth").rows.size() == 5);
   REQUIRE(run.table("tips").rows.size() == 10);
   for (std::size_t i = 0; i < 5; ++i) {
@@ -94,7 +97,7 @@ TEST_CASE("growth in the plane: a crack in a strip in tension grows straight on 
     const double N1 = std::sqrt(section.young / std::numbers::pi) * section.thickness;  // G = pi N1^2 / (E h) = G_c h
     const double expected = N1 / (std::sqrt(a) * strip_factor(2 * a / plate.width));
     CAPTURE(a, run.at("growth", i, "load_factor") / expected - 1);
-    CHECK(run.at("growth", i, "load_factor") == Approx(expected).epsilon(0.01));  // 0.12 to 0.72 %
+    CHECK(run.at("growth", i, "load_factor") == Approx(expected).epsilon(0.012));  // 0.12 to 0.72 %, 1.03 % of bonds
     for (std::size_t tip = 2 * i; tip < 2 * i + 2; ++tip) {
       CHECK(std::abs(run.at("tips", tip, "y")) < 1e-9);
       CHECK(run.at("tips", tip, "N1") == Approx(N1).epsilon(0.01));  // under the load of growth

@@ -1,6 +1,7 @@
 #pragma once
 #include <sstream>
 
+#include "cases/driver/prepared.hpp"
 #include "fracture/growth/moving_growth.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/archive.hpp"
@@ -60,13 +61,12 @@ private:
     options.changes = &growth.changes();
     options.from = from;
     if (save) options.due = [] { return true; }, options.save = save;
-    plate::central_differences(stiffness, constraints, all_mass, loads, options,
-                               [&](const plate::Instant& now) {
-                                 growth.look(now.time);
-                                 const double energy = now.strain_energy + now.discrete_kinetic_energy;
-                                 if (now.step == 0) first = energy - now.external_work;
-                                 result = {now.external_work, energy - first};
-                               });
+    plate::central_differences(stiffness, constraints, all_mass, loads, options, [&](const plate::Instant& now) {
+      growth.look(now.time);
+      const double energy = now.strain_energy + now.discrete_kinetic_energy;
+      if (now.step == 0) first = energy - now.external_work;
+      result = {now.external_work, energy - first};
+    });
     return result;
   }
 };

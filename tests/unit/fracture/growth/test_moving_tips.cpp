@@ -42,9 +42,7 @@ TEST_CASE("moving tips: tension alone or beside bending drives them, and energie
   c.joined_with_plane = true;
   const mp::Motion motion(c);
   REQUIRE(motion.found.membrane);
-  const auto grown = [&] {
-    return moving_growth(*motion.c.growth, *motion.start, {}, 1, motion.found.membrane.get());
-  };
+  const auto grown = [&] { return moving_growth(*motion.c.growth, *motion.start, {}, 1, motion.found.membrane.get()); };
   const auto whole = grown(), later = grown();
   plate::MotionCheckpoint memory;
   const auto energies = motion.move(*whole, 500, nullptr, [&](const plate::MotionCheckpoint& now) {
