@@ -89,7 +89,6 @@ constexpr auto features = std::to_array<std::pair<plate::Feature, std::string_vi
      "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
     {plate::Feature::hubs_in_holes, "supports of kind `\"hub\"` in holes"},
-    {plate::Feature::growth_in_plane, "`[growth]` under loads in the plane"},
 });
 
 std::string by_one_process(const char* what) {
