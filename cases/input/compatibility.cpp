@@ -48,7 +48,6 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {growth, "`[growth]`"},
     {growth_of_bonds, "`[growth]` by single bonds"},
     {growth_of_bonds_at_rest, "`[growth]` by single bonds, at rest"},
-    {growth_by_curvature, "`growth.criterion = \"curvature_shear\"`"},
     {growth_of_heated_cracks_in_motion, "`[growth]` of tips in motion"},
     {growth_by_displacement, "`growth.control` other than `\"load\"`"},
     {growth_from_rest_to_motion, "`growth.unstable = \"move\"`"},
@@ -214,8 +213,8 @@ const std::vector<Exclusion> excluded_pairs{
      "\"lanczos\" moves plates that bend alone, and loads act in the plane; choose \"central_difference\""},
     {load_in_plane, stiffness_damping, "analysis.damping",
      "damping by the stiffness does not act in the plane yet: give mass alone"},
-    {load_in_plane, growth_by_curvature, "growth.criterion",
-     "limits of curvature and shear say nothing of strains in the plane: choose \"bond_energy\""},
+    {load_in_plane, growth_of_bonds, "growth.criterion",
+     "single bonds that break in tension leave bridges, whose toughness is not known yet: choose \"energy_release\""},
     {growth_in_plane, frozen_pieces, "growth.fallen",
      "\"freeze\" holds pieces of plates that bend alone: choose \"move\""},
     {large_deflections_in_motion, mean_temperature, "analysis.nonlinear",
@@ -333,7 +332,6 @@ void add_growth(const Case& content, AskedParts& add) {
   add(true, growth);
   add(bonds, growth_of_bonds);
   add(bonds && rests, growth_of_bonds_at_rest);
-  add(g.criterion == fracture::Growth::Criterion::curvature_shear, growth_by_curvature);
   add(!bonds && (moves || to_motion), growth_of_heated_cracks_in_motion);
   add(g.control != fracture::Growth::Control::load, growth_by_displacement);
   add(to_motion, growth_from_rest_to_motion);

@@ -47,7 +47,6 @@ enum class Part {
   growth,
   growth_of_bonds,
   growth_of_bonds_at_rest,
-  growth_by_curvature,
   growth_of_heated_cracks_in_motion,
   growth_by_displacement,
   growth_from_rest_to_motion,

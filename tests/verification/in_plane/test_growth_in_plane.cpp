@@ -53,9 +53,9 @@ struct Grown {
   post::ResultsInMemory results;
   post::Summary summary;
 
-  explicit Grown(const Cracked& plate) : Grown(plate.toml()) {}
-  explicit Grown(const std::string& text) {
-    const auto file = cases::read_case_text(text, "growth in the plane", {});
+  /// `text`: in place of that of the plate.
+  explicit Grown(const Cracked& plate, const std::string& text = "") {
+    const auto file = cases::read_case_text(text.empty() ? plate.toml() : text, "growth in the plane", {});
     summary = cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
   }
   const post::Table& table(const std::string& name) const {
@@ -215,7 +215,7 @@ TEST_CASE("growth in the plane: in slow motion the tips of bonds start at the lo
                                     "history = \"ramp\"\nrise_time = 0.6\n[analysis]",
                                     0.05 * rest));
   replace("thickness = 0.1", "thickness = 0.1\ndensity = 1");
-  const Grown moving(text);
+  const Grown moving(plate, text);
   CAPTURE(rest, moving.summary.growth->outcome);
   REQUIRE(moving.table("tips").rows.size() == 2);
   const double start = 0.97 + 0.05 * moving.at("tips", 0, "begin") / 0.6;

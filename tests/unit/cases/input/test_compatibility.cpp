@@ -99,11 +99,7 @@ std::vector<Sample> samples_in_plane() {
                           {"section.density", "1"},
                           {"discretization.formulation", "galerkin"}};
   const Settings grows{{"growth.fracture_energy", "1"}, {"discretization.formulation", "galerkin"}};
-  const Settings by_curvature{{"growth.fracture_energy", "1"},
-                              {"growth.criterion", "curvature_shear"},
-                              {"discretization.formulation", "ordinary"}};
-  return {{growth_by_curvature, by_curvature},
-          {motion_in_plane, moving, traction},
+  return {{motion_in_plane, moving, traction},
           {stressed_frequencies, vibrates, traction},
           {growth_in_plane, grows, traction}};
 }
