@@ -170,7 +170,6 @@ std::function<void(const plate::Instant&)> SinglePlate::observer(std::size_t las
     stopwatch().lap("solve");
     progress.update(now.time / duration, fmt::format("t = {:.4g}", now.time));
     const bool is_last = now.step == last;
-    if (growth_) growth_->look(now.time);
     results_.sample(now, is_last);
     stopwatch().lap("srif");
     if (is_last || now.interrupted || now.time >= results_.next_frame() - between / 2) results_.frame(now);

@@ -36,10 +36,9 @@ QuasiStaticRun::QuasiStaticRun(const RunPlan& plan, plate::Discretised first)
       warnings_(first.warnings) {
   const auto& analysis = content_.analysis;
   if (growth_.by_bonds()) {
-    start_ = std::move(first.plate), membrane_ = std::move(first.membrane);
+    start_ = std::move(first.plate);
     bonds_ = std::make_unique<fracture::QuasiStaticBonds>(
-        growth_, *start_, content_.srif, plate::StaticOptions{analysis.tolerance, analysis.max_iterations, {}},
-        membrane_.get());
+        growth_, *start_, content_.srif, plate::StaticOptions{analysis.tolerance, analysis.max_iterations, {}});
     model_ = bonds_.get();
   } else {
     tips_ = std::make_unique<fracture::GrowingPlate>(growth_, content_, std::move(first),
@@ -130,17 +129,17 @@ std::pair<post::Frame, plate::Mesh> QuasiStaticRun::drawn() const {
   std::pair result{post::frame_of(model_->plate(), double(advance_), advance_, state_, false), plate::Mesh{}};
   auto& [frame, mesh] = result;
   mesh = model_->draw(frame, state_);
-  if (const auto plane = in_plane()) add_in_plane(frame, model_->plate(), model_->in_plane()->membrane, *plane);
+  if (const auto plane = in_plane()) add_in_plane(frame, model_->plate(), *tips_->membrane(), *plane);
   return result;
 }
 
 /// The plate in its plane at the last advance; none where nothing acts there.
 std::optional<MembraneResult> QuasiStaticRun::in_plane() const {
-  const auto plane = model_->in_plane();
-  if (!plane) return std::nullopt;
-  const auto& [membrane, damaged, state] = *plane;
-  return membrane_results(membrane, factor_ * state, factor_ * membrane.total_load(), plate::heat_of(membrane, factor_),
-                          {{}, {}}, fmt::format("in the plane at advance {}", advance_), nullptr, damaged);
+  const auto* membrane = tips_ ? tips_->membrane() : nullptr;
+  if (!membrane) return std::nullopt;
+  return membrane_results(*membrane, factor_ * tips_->state_in_plane(), factor_ * membrane->total_load(),
+                          plate::heat_of(*membrane, factor_), {{}, {}},
+                          fmt::format("in the plane at advance {}", advance_));
 }
 
 template <typename Archive>
@@ -152,18 +151,16 @@ void QuasiStaticRun::memory(Archive& archive) {
 
 /// `load`: to go on from.
 fracture::Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints, fracture::QuasiStaticLoad& load) {
-  const auto points = model_->of_points();
+  auto* const points = model_->of_points();
   const bool goes_on = checkpoints.restore([&](plate::InArchive& archive) {
     archive(load);
     outputs_->restore(archive);
     memory(archive);
     model_->restore(archive);
   });
-  if (goes_on && !points.empty()) {
-    std::vector<RestoredState> states;
-    for (auto* state : points) states.push_back({state});
-    put_values(model_->plate().boundary(), checkpoints.parts(), states);
-    model_->restored_points();
+  if (goes_on && points) {
+    const auto complete = [this](plate::State&) { model_->restored_points(); };
+    put_values(model_->plate().boundary(), checkpoints.parts(), {{points, complete}});
   }
   if (goes_on) state_ = factor_ * model_->state();
   const auto hold = [this, &checkpoints, points](const fracture::QuasiStaticLoad& now) {
@@ -174,8 +171,7 @@ fracture::Continuation QuasiStaticRun::continuation(RunCheckpoints& checkpoints,
       model_->save(archive);
     };
     checkpoints.hold(save_state, [this, points] {
-      return points.empty() ? post::CellValues{}
-                            : own_values(model_->plate().boundary(), {points.begin(), points.end()});
+      return points ? own_values(model_->plate().boundary(), {points}) : post::CellValues{};
     });
   };
   return {goes_on ? &load : nullptr, hold};
@@ -244,8 +240,7 @@ void QuasiStaticRun::finish() {
                  {content_.section, content_.srif, content_.si(), outputs_->recorder().history(), reactions_, latest_});
   if (plane) {
     if (!content_.faces_touch()) outputs_->warn(warnings_about_overlaps(latest_, true));
-    summary.membrane = plane->summary;
-    if (tips_) summary.contact = tips_->contact(factor_);
+    summary.membrane = plane->summary, summary.contact = tips_->contact(factor_);
   }
   summary.overlaps = overlaps;
   summary.growth = growth_summary();

@@ -54,7 +54,7 @@ private:
   const fracture::Growth& growth_;
   plate::Stopwatch stopwatch_;
   std::vector<std::string> warnings_;
-  std::unique_ptr<plate::Formulation> start_, membrane_;  // of bonds
+  std::unique_ptr<plate::Formulation> start_;  // of bonds
   std::unique_ptr<fracture::GrowingPlate> tips_;
   std::unique_ptr<fracture::QuasiStaticBonds> bonds_;
   fracture::QuasiStaticModel* model_ = nullptr;

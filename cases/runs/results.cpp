@@ -76,6 +76,7 @@ void Results::sample(const plate::Instant& now, bool last) {
     row.fracture_energy = growth_->fracture_energy();
     terms.energy += row.fracture_energy + growth_->frozen_energy();
     row.energy_residual = residual_ = now.external_work - terms.energy;
+    growth_->look(now.time);
   }
   if (in_plane_) row.in_plane = &in_plane_->fields.displacement;
   outputs_.row(row, plate_);

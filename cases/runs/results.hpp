@@ -39,8 +39,7 @@ public:
   void in_plane(const plate::Formulation& membrane, MembraneResult result);
   /// Adds where faces of cracks touch to all that follows.
   void touching(FacesFound found);
-  /// A row of history, probes and intensity factors; of the last, all rings go into the summary. A growth has looked
-  /// at its cracks before.
+  /// A row of history, probes and intensity factors; of the last, all rings go into the summary.
   void sample(const plate::Instant& now, bool last);
   void frame(const plate::Instant& now);
   /// Time of the next frame of a motion.

@@ -137,7 +137,6 @@ void StretchedMotionRun::observe(const plate::Instant& both) {
     largest_rotation_ = std::max(largest_rotation_, bending.bottomRows(2).colwise().norm().maxCoeff());
   }
   if (both.faces) touch(both);
-  if (growth_) growth_->look(both.time);
   results_.in_plane(membrane_, in_plane(both, last));
   results_.sample(now, last);
   stopwatch().lap("srif");

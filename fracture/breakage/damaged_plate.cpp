@@ -254,14 +254,6 @@ DamagedPlate::CutBonds DamagedPlate::cut_by(const CrackPiece& piece) const {
   return result;
 }
 
-/// Result of a change of the plane under its part of a motion; 0 where there is none.
-double DamagedPlate::of_plane(const Motion& motion, const std::function<double(const Motion&)>& change) const {
-  if (!plane_) return 0;
-  const plate::State state = plate::of_plane(motion.state);
-  const plate::State velocity = motion.time_step == 0 ? plate::no_state() : plate::of_plane(motion.velocity);
-  return change({state, velocity, motion.time_step});
-}
-
 /// Pairs of pieces that have points in common, on any rank; a piece and itself where a breakage that goes on has some
 /// of its points.
 std::vector<std::array<std::size_t, 2>> DamagedPlate::sharing(const std::vector<CutBonds>& cuts) const {
@@ -331,12 +323,15 @@ std::vector<std::optional<std::size_t>> DamagedPlate::break_bonds(const std::vec
 }
 
 double DamagedPlate::carry_on(std::size_t number, double share, const Motion& motion) {
-  const double in_plane = of_plane(motion, [&](const Motion& its) { return plane_->carry_on(number, share, its); });
   const auto found = std::ranges::find(going_, number, &OngoingBreakage::number);
   const double fraction = share >= 1 ? 1 : (share - found->share) / (1 - found->share);
   std::vector<double> spent;
   for (const auto k : found->points) spent.push_back(approach(k, fraction, motion));
-  const double all = sum_of_all(found->points, spent) + in_plane;
+  double all = sum_of_all(found->points, spent);
+  if (plane_) {
+    const plate::State state = plate::of_plane(motion.state), velocity = plate::of_plane(motion.velocity);
+    all += plane_->carry_on(number, share, {state, velocity, motion.time_step});
+  }
   found->share = share;
   if (share < 1) return all;
   for (const auto k : found->points) changed_[std::size_t(broken_.number(k))].ongoing = false;
@@ -377,13 +372,11 @@ void DamagedPlate::break_bonds(const std::vector<PointPair>& bonds, unsigned ste
   for (const auto k : touched) retarget(k);
   std::ranges::sort(easing_);  // energies are added in an order that a resumed run finds again
   easing_left_ = std::max(easing_left_, steps);
-  if (plane_) plane_->break_bonds(bonds, steps);
 }
 
 double DamagedPlate::carry_on_all(const Motion& motion) {
   if (easing_left_ == 0) return 0;
   --easing_left_;
-  const double in_plane = of_plane(motion, [&](const Motion& its) { return plane_->carry_on_all(its); });
   std::vector<double> spent(easing_.size());
 #pragma omp parallel for schedule(static) if (easing_.size() > 32)
   for (std::size_t n = 0; n < easing_.size(); ++n) {
@@ -391,7 +384,7 @@ double DamagedPlate::carry_on_all(const Motion& motion) {
     spent[n] = approach(easing_[n], 1.0 / left, motion);
     --left;
   }
-  const double sum = sum_of_all(easing_, spent) + in_plane;
+  const double sum = sum_of_all(easing_, spent);
   std::erase_if(easing_, [&](std::uint32_t k) { return changed_[std::size_t(broken_.number(k))].left == 0; });
   return sum;
 }

@@ -2,7 +2,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -123,8 +122,8 @@ struct CrackPiece {
 /// since in the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds
 /// left, at once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than
 /// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
-/// Where loads act in its plane, the same bonds break there: plane(). A motion is then one of stacked() states; forces,
-/// views and drawings are of this plate alone.
+/// Where loads act in its plane, pieces of cracks break the same bonds there: plane(). A motion is then one of
+/// stacked() states; forces, views and drawings are of this plate alone.
 class DamagedPlate : public plate::Operator {
 public:
   /// Constructs the undamaged plate; all arguments but the rule must outlive this. `seen`: in a distributed plate, the
@@ -183,7 +182,6 @@ public:
   /// Families without the bonds that have broken so far.
   const geometry::Families& families() const { return families_; }
   const plate::FamilyOperator& base() const { return base_; }
-  const plate::Section& section() const { return rule_.section(); }
   const plate::PointMap& map() const { return boundary_.map; }
   const BrokenBonds& broken() const { return broken_; }
   /// Factor of the dilatation [force length] and weights of the i-th bond of the base's family, as they are now.
@@ -222,7 +220,6 @@ private:
   /// Sum of the values of these points over all ranks, each of which counts the points that it owns.
   double sum_of_all(const std::vector<std::uint32_t>& points, const std::vector<double>& values) const;
   void soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const;
-  double of_plane(const Motion& motion, const std::function<double(const Motion&)>& change) const;
   double approach(std::uint32_t k, double fraction, const Motion& motion);
   /// Sets the differences of a change, by its number, to what its weights are now.
   void differ(std::size_t number);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 #include "fracture/growth/distributed_growth.hpp"
 #include "plate/bonds/horizon_parameters.hpp"
@@ -61,8 +60,7 @@ double apparent_toughness(Growth::Criterion criterion, double thickness, const p
 
 BondLimits::BondLimits(const Growth& growth, const plate::Section& section, const plate::Discretization& d)
     : tension_only_(growth.tension_only), by_energy_(growth.criterion == Growth::Criterion::bond_energy) {
-  const double thickness = section.law == plate::PlateLaw::membrane ? INFINITY : section.thickness;
-  const double R = growth.apparent_toughness.value_or(apparent_toughness(growth.criterion, thickness, d));
+  const double R = growth.apparent_toughness.value_or(apparent_toughness(growth.criterion, section.thickness, d));
   const double toughness = growth.fracture_energy * section.thickness / R;
   const auto all = crossing(section, d);
   curvature_ = std::sqrt(toughness / all.curvature), shear_ = std::sqrt(toughness / all.shear);
@@ -80,7 +78,7 @@ double BondLimits::demand(double energy, double curvature_difference, double she
                           double weight) const {
   if (tension_only_ && curvature_difference >= 0)
     return 0;  // u = -z psi: opens on the z > 0 face where psi decreases along it
-  if (by_energy_) return demand(energy, weight);
+  if (by_energy_) return energy / (energy_ * weight);
   const double s = curvature_difference / length / curvature_, g = shear_difference / length / shear_;
   return std::max(s * s, g * g);
 }
@@ -92,46 +90,6 @@ constexpr double suspect = 0.25;  // with 0.15 the same bonds broke in three pla
 
 plate::Kinematics<> kinematics(const plate::State& state, std::uint32_t k) {
   return {state(0, k), state(1, k), state(2, k)};
-}
-
-/// Minus the elongation of a bond of the plane, in a stacked() state [length].
-double shortening(const plate::BondShape& shape, const plate::State& state, std::uint32_t k, std::uint32_t j) {
-  const auto points = std::uint32_t(state.cols() / 2);
-  return curvature_difference(shape, kinematics(state, points + k), kinematics(state, points + j));
-}
-
-/// Factors of the dilatations of points under a state whose first point is `first`, with their present weights.
-void set_dilatations(const DamagedPlate& plate, const plate::State& state, Eigen::Index first,
-                     const std::vector<std::uint32_t>& points, std::vector<double>& dilatations) {
-  const auto& [families, shapes] = std::tie(plate.base().families(), plate.base().shapes());
-  const auto offset = std::uint32_t(first);
-#pragma omp parallel for schedule(static)
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    const auto k = points[n];
-    const auto own = kinematics(state, offset + k);
-    const auto family = families[k];
-    double sum = 0;
-    for (std::size_t i = 0; i < family.size(); ++i)
-      sum += plate.weights(k, i).D *
-             curvature_difference(shapes[family[i].vector_id], own, kinematics(state, offset + family[i].neighbour));
-    dilatations[k] = plate.a(k) * sum;
-  }
-}
-
-/// A bond between two points: its number in the families of both.
-struct BothEnds {
-  std::uint32_t k, j;
-  std::size_t i, back;
-};
-
-/// Energy that both ends store in a bond with this deformation, theory (59).
-double energy_of(const DamagedPlate& plate, const BothEnds& bond, const std::vector<double>& areas,
-                 const std::vector<double>& dilatations, double curvature, double shear) {
-  const auto &here = plate.weights(bond.k, bond.i), &there = plate.weights(bond.j, bond.back);
-  return areas[bond.k] *
-             (dilatations[bond.k] * here.D * curvature + plate::bond_energy(here.B, here.S, curvature, shear)) +
-         areas[bond.j] *
-             (dilatations[bond.j] * there.D * curvature + plate::bond_energy(there.B, there.S, curvature, shear));
 }
 
 /// Points of the plate, and those of it that they have bonds to.
@@ -152,16 +110,13 @@ std::vector<std::uint32_t> with_neighbours(const std::vector<std::uint32_t>& poi
 }  // namespace
 
 BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const DamagedPlate& plate,
-                     const plate::Boundary& boundary, const BondLimits* in_plane)
+                     const plate::Boundary& boundary)
     : growth_(growth),
       limits_(limits),
       plate_(plate),
       boundary_(boundary),
-      in_plane_(in_plane),
-      half_thickness_(in_plane ? plate.section().thickness / 2 : 0),
       numbers_(std::make_shared<const PointNumbers>(boundary)),
       dilatation_(plate.points()),
-      dilatation_in_plane_(in_plane ? plate.points() : 0),
       marked_(plate.points(), 0) {
   const auto& families = plate.base().families();
   const auto plate_points = boundary.cloud.plate_points;
@@ -183,8 +138,18 @@ BondCheck::BondCheck(const Growth& growth, const BondLimits& limits, const Damag
 }
 
 void BondCheck::find_dilatations(const plate::State& state, const std::vector<std::uint32_t>& points) {
-  set_dilatations(plate_, state, 0, points, dilatation_);
-  if (in_plane_) set_dilatations(*plate_.plane(), state, state.cols() / 2, points, dilatation_in_plane_);
+  const auto& shapes = plate_.base().shapes();
+#pragma omp parallel for schedule(static)
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    const auto k = points[n];
+    const auto own = kinematics(state, k);
+    const auto family = plate_.base().families()[k];
+    double sum = 0;
+    for (std::size_t i = 0; i < family.size(); ++i)
+      sum += plate_.weights(k, i).D *
+             curvature_difference(shapes[family[i].vector_id], own, kinematics(state, family[i].neighbour));
+    dilatation_[k] = plate_.a(k) * sum;
+  }
 }
 
 /// True for a bond of the plate that may break.
@@ -202,26 +167,20 @@ double BondCheck::demand(std::uint32_t k, std::size_t i, const plate::State& sta
   const auto& shape = base.shapes()[id];
   const auto own = kinematics(state, k), other = kinematics(state, j);
   const double curvature = curvature_difference(shape, own, other), shear = shear_difference(shape, own, other);
-  const double energy = energy_of(plate_, {k, j, i, base.families()[j].find(k)}, areas, dilatation_, curvature, shear);
-  const double weight = shape.weight * areas[k] * areas[j];
-  if (!in_plane_) return limits_.demand(energy, curvature, shear, shape.length, weight);
-  const auto& plane = *plate_.plane();
-  const auto& families = plane.base().families();
-  const double shorter = shortening(shape, state, k, j), bent = half_thickness_ * curvature;
-  if ((growth_.tension_only ? shorter + bent : shorter - std::abs(bent)) >= 0) return 0;  // it opens at no face
-  const BothEnds bond{k, j, families[k].find(j), families[j].find(k)};
-  const double in_plane = energy_of(plane, bond, areas, dilatation_in_plane_, shorter, 0);
-  return limits_.demand(energy, weight) + in_plane_->demand(in_plane, weight);
+  const auto& here = plate_.weights(k, i);
+  const auto& there = plate_.weights(j, base.families()[j].find(k));
+  const double energy =
+      areas[k] * (dilatation_[k] * here.D * curvature + plate::bond_energy(here.B, here.S, curvature, shear)) +
+      areas[j] * (dilatation_[j] * there.D * curvature + plate::bond_energy(there.B, there.S, curvature, shear));
+  return limits_.demand(energy, curvature, shear, shape.length, shape.weight * areas[k] * areas[j]);
 }
 
 std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& state,
                                             const std::vector<std::uint32_t>& points) {
   // first by curvature and shear alone: the longest bond, the dilatation and weights beside damage make a factor of 7
   // at most
-  const double share = in_plane_ ? share_of_one / 2 : share_of_one;
-  const double bend = least * share * limits_.curvature() * limits_.curvature();
-  const double twist = least * share * limits_.shear() * limits_.shear();
-  const double stretch = in_plane_ ? least * share * in_plane_->curvature() * in_plane_->curvature() : 0;
+  const double bend = least * share_of_one * limits_.curvature() * limits_.curvature();
+  const double twist = least * share_of_one * limits_.shear() * limits_.shear();
   const auto& base = plate_.base();
   for (const auto k : points) marked_[k] = 1;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> bonds;  // point, number in its family
@@ -240,9 +199,7 @@ std::vector<LoadedBond> BondCheck::at_least(double least, const plate::State& st
         const auto other = kinematics(state, j);
         const double s = curvature_difference(shape, own, other), g = shear_difference(shape, own, other);
         const double square = shape.length * shape.length;
-        const double e = in_plane_ ? shortening(shape, state, k, j) : 0;
-        if ((s * s >= bend * square || g * g >= twist * square || e * e > stretch * square) && may_break(k, i, j))
-          found.emplace_back(k, i);
+        if ((s * s >= bend * square || g * g >= twist * square) && may_break(k, i, j)) found.emplace_back(k, i);
       }
     }
 #pragma omp critical
@@ -286,11 +243,8 @@ double BondCheck::largest(const plate::State& state) {
 
 std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const {
   const auto& base = plate_.base();
-  const double share = in_plane_ ? suspect / 2 : suspect;
-  const double bend = share * limits_.curvature() * limits_.curvature(),
-               shear = share * limits_.shear() * limits_.shear(),
-               stretch = in_plane_ ? share * in_plane_->curvature() * in_plane_->curvature() : 0;
-  const auto points = state.cols() / 2;  // where the plane begins
+  const double bend = suspect * limits_.curvature() * limits_.curvature(),
+               shear = suspect * limits_.shear() * limits_.shear();
   std::vector<char> hot(boundary_.cloud.plate_points, 0);
 #pragma omp parallel for schedule(static)
   for (std::size_t n = 0; n < around().size(); ++n) {
@@ -306,8 +260,7 @@ std::vector<std::uint32_t> BondCheck::suspects(const plate::State& state) const 
       const double x = other.theta_x - own.theta_x, y = other.theta_y - own.theta_y,
                    g = shear_difference(shape, own, other);
       const double square = shape.length * shape.length;
-      const double moved = in_plane_ ? (state.col(points + j) - state.col(points + k)).squaredNorm() : 0;
-      if (x * x + y * y >= bend * square || g * g >= shear * square || moved > stretch * square) hot[k] = 1;
+      if (x * x + y * y >= bend * square || g * g >= shear * square) hot[k] = 1;
     };
     if (plate_.broken().number(k) < 0) {
       for (const auto i : nearest_[base.families().pattern(k)]) look(i);

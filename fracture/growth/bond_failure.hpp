@@ -14,15 +14,12 @@ double apparent_toughness(Growth::Criterion criterion, double thickness, const p
 /// Failure limits of the bonds of a plate (theory.md, "Bonds that break").
 class BondLimits {
 public:
-  /// `section`: of the plate, or of it in its plane (PlateLaw::membrane), where curvatures are elongations.
   BondLimits(const Growth& growth, const plate::Section& section, const plate::Discretization& discretization);
 
   /// Demand on a bond with this energy, curvature and shear angle (both times its length): below 1 it holds. Quadratic
   /// in the state. `weight`: omega beta h A_j of either end, times A_k [length^5].
   double demand(double energy, double curvature_difference, double shear_difference, double length,
                 double weight) const;
-  /// Demand on a bond by its energy alone.
-  double demand(double energy, double weight) const { return energy / (energy_ * weight); }
   /// Curvature [1/length] and shear angle that no bond bears if all its neighbours have it too: of full families.
   double curvature() const { return curvature_; }
   double shear() const { return shear_; }
@@ -44,10 +41,8 @@ struct LoadedBond {
 /// at a time; where the plate is distributed, all call it at once and get the bonds of all.
 class BondCheck {
 public:
-  /// Constructs a check of bonds; all arguments must outlive this. `in_plane`: limits of the plate in its plane, where
-  /// loads act there: states are stacked() then, and the demands of both energies add up.
-  BondCheck(const Growth& growth, const BondLimits& limits, const DamagedPlate& plate, const plate::Boundary& boundary,
-            const BondLimits* in_plane = nullptr);
+  /// Constructs a check of bonds; all arguments must outlive this.
+  BondCheck(const Growth& growth, const BondLimits& limits, const DamagedPlate& plate, const plate::Boundary& boundary);
 
   /// Intact bonds of the plate, or of these points of it (ascending, as suspects() has found them), with a demand of at
   /// least `least`: largest first, equal ones by their points.
@@ -79,14 +74,11 @@ private:
   const BondLimits& limits_;
   const DamagedPlate& plate_;
   const plate::Boundary& boundary_;
-  const BondLimits* in_plane_;
-  double half_thickness_;
   std::shared_ptr<const PointNumbers> numbers_;
   std::vector<std::uint32_t> all_;     // where the plate is distributed: owned points, and what these have bonds to
   std::vector<std::uint32_t> around_;  // and what those have bonds to
   std::vector<std::vector<std::uint32_t>> nearest_;  // per pattern of the base: which bonds are a spacing long
   std::vector<double> dilatation_;                   // per point
-  std::vector<double> dilatation_in_plane_;          // likewise; empty where no loads act there
   std::vector<char> marked_;                         // per point, zero between calls
 };
 

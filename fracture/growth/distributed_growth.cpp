@@ -4,12 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "fracture/breakage/damaged_plate.hpp"
 #include "plate/bonds/part_of_lattice.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/solve/gathered_archives.hpp"
-#include "post/factors/plate_factors.hpp"
 #include "post/files/archive.hpp"
 #include "post/files/summary.hpp"
 
@@ -63,29 +61,6 @@ std::vector<post::Srif> of_all(const plate::Formulation& plate, std::vector<post
   if (!plate.distributed()) return own;
   auto result = plate::gathered_archives(plate, own);
   std::ranges::stable_sort(result, {}, &post::Srif::tip);
-  return result;
-}
-
-std::vector<post::Srif> factors_of(const plate::Formulation& start, const DamagedPlate& plate,
-                                   const std::vector<std::pair<std::size_t, geometry::Tip>>& tips,
-                                   const std::vector<geometry::CrackPath>& paths, const post::SrifOptions& options,
-                                   const plate::State& state, double factor, bool all_rings) {
-  plate::Forces force;
-  plate.internal_force(state, force);
-  start.boundary().elastic_supports.take_force(state, force);
-  plate.constraints().fetch(force);
-  const auto view = plate.tip_view();
-  std::vector<post::Srif> result;
-  for (const auto& [number, tip] : tips) {
-    if (!plate.here(tip.position)) continue;
-    const auto methods = post::tip_methods(view, start.problem(), paths, tip, options);
-    if (!methods) continue;
-    for (auto& srif : (*methods)(factor * state, factor * force, all_rings)) {
-      srif.tip = number;
-      post::normalize(srif, options, start.section().thickness);
-      result.push_back(std::move(srif));
-    }
-  }
   return result;
 }
 

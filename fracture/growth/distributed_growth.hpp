@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "geometry/lattice/cloud.hpp"
-#include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/boundary.hpp"
 
 namespace plate {
@@ -15,12 +14,9 @@ struct Surroundings;
 namespace post {
 struct Peak;
 struct Srif;
-struct SrifOptions;
 }  // namespace post
 
 namespace fracture {
-
-class DamagedPlate;
 
 /// Numbers of the points of a plate, equal on all ranks and ascending by the rows of the lattice. Where one process
 /// holds the whole plate, the local indices.
@@ -47,12 +43,6 @@ std::shared_ptr<const plate::Surroundings> overlap_of_growth(const plate::Formul
 
 /// The factors that all processes have found, by tips.
 std::vector<post::Srif> of_all(const plate::Formulation& plate, std::vector<post::Srif> own);
-/// Intensity factors of tips, by their numbers, of those that this rank has; none of tips beside edges, bends and other
-/// cracks. `start`: the plate before bonds broke; `paths`: its cracks now; `factor`: of the state.
-std::vector<post::Srif> factors_of(const plate::Formulation& start, const DamagedPlate& plate,
-                                   const std::vector<std::pair<std::size_t, geometry::Tip>>& tips,
-                                   const std::vector<geometry::CrackPath>& paths, const post::SrifOptions& options,
-                                   const plate::State& state, double factor, bool all_rings);
 /// Largest value of every quantity over all ranks, and its place.
 std::vector<post::Peak> of_all(const plate::Formulation& plate, std::vector<post::Peak> own);
 

@@ -27,10 +27,9 @@ public:
   double heated(double factor) const override;
   std::optional<std::vector<post::Srif>> factors(double factor) override;
   plate::Mesh draw(post::Frame& frame, const plate::State& state) const override;
-  std::optional<InPlane> in_plane() const override {
-    const auto* membrane = seen_.found.membrane.get();
-    return membrane ? std::optional<InPlane>({*membrane, nullptr, seen_.in_plane}) : std::nullopt;
-  }
+  /// The plate in its plane at the last equilibrium, and its state under the whole load; null where nothing acts there.
+  const plate::Formulation* membrane() const { return seen_.found.membrane.get(); }
+  const plate::State& state_in_plane() const { return seen_.in_plane; }
   /// Contact of the faces of cracks at the last equilibrium, under a share of the load; none where faces may overlap.
   std::optional<post::ContactSummary> contact(double factor) const;
 

@@ -19,8 +19,8 @@ MovingGrowth::MovingGrowth(const Growth& growth, const plate::Formulation& start
                            const plate::Formulation* membrane)
     : growth_(growth),
       start_(start),
-      membrane_(membrane),
       plate_(start, membrane, overlap_of_growth(start, factors || !growth.by_bonds())),
+      membrane_(membrane),
       options_(std::move(factors)),
       rotary_inertia_(rotary_inertia) {
   record_.in_motion = true;
@@ -38,13 +38,34 @@ plate::Changes& MovingGrowth::changes() {
 }
 
 std::vector<post::Srif> MovingGrowth::factors(const plate::State& state) const {
-  if (!options_) return {};
-  return factors_of(start_, plate_, tips(), paths(), *options_, state, 1, false);
+  return factors(start_, plate_, state);
 }
 
 std::vector<post::Srif> MovingGrowth::factors_in_plane(const plate::State& state) const {
-  if (!options_) return {};
-  return factors_of(*membrane_, *plate_.plane(), tips(), paths(), *options_, state, 1, false);
+  return factors(*membrane_, *plate_.plane(), state);
+}
+
+std::vector<post::Srif> MovingGrowth::factors(const plate::Formulation& start, const DamagedPlate& plate,
+                                              const plate::State& state) const {
+  std::vector<post::Srif> result;
+  if (!options_) return result;
+  plate::Forces force;
+  plate.internal_force(state, force);
+  start.boundary().elastic_supports.take_force(state, force);
+  plate.constraints().fetch(force);
+  const auto now = paths();
+  const auto view = plate.tip_view();
+  for (const auto& [number, tip] : tips()) {
+    if (!plate.here(tip.position)) continue;
+    const auto methods = post::tip_methods(view, start.problem(), now, tip, *options_);
+    if (!methods) continue;  // an edge or another crack is too near
+    for (auto& srif : (*methods)(state, force, false)) {
+      srif.tip = number;
+      post::normalize(srif, *options_, start.section().thickness);
+      result.push_back(std::move(srif));
+    }
+  }
+  return result;
 }
 
 MovingGrowthOutcome MovingGrowth::outcome_so_far() const {
@@ -58,8 +79,7 @@ MovingGrowthOutcome MovingGrowth::outcome_so_far() const {
 std::unique_ptr<MovingGrowth> moving_growth(const Growth& growth, const plate::Formulation& start,
                                             std::optional<post::SrifOptions> factors, double rotary_inertia,
                                             const plate::Formulation* membrane) {
-  if (growth.by_bonds())
-    return std::make_unique<MovingBonds>(growth, start, std::move(factors), rotary_inertia, membrane);
+  if (growth.by_bonds()) return std::make_unique<MovingBonds>(growth, start, std::move(factors), rotary_inertia);
   return std::make_unique<MovingTips>(growth, start, std::move(factors), rotary_inertia, membrane);
 }
 
@@ -111,14 +131,10 @@ void BreakingBonds::after_force(const plate::Step& now, const plate::Forces&) {
 }
 
 MovingBonds::MovingBonds(const Growth& growth, const plate::Formulation& start,
-                         std::optional<post::SrifOptions> factors, double rotary_inertia,
-                         const plate::Formulation* membrane)
-    : MovingGrowth(growth, start, std::move(factors), rotary_inertia, membrane),
+                         std::optional<post::SrifOptions> factors, double rotary_inertia)
+    : MovingGrowth(growth, start, std::move(factors), rotary_inertia),
       limits_(growth, start.section(), start.discretization()),
-      limits_in_plane_(
-          membrane ? std::optional<BondLimits>(std::in_place, growth, membrane->section(), membrane->discretization())
-                   : std::nullopt),
-      check_(growth, limits_, plate_, start.boundary(), limits_in_plane_ ? &*limits_in_plane_ : nullptr),
+      check_(growth, limits_, plate_, start.boundary()),
       cracks_(start, start.section().shear_wave_speed()),
       bonds_(plate_, check_, [this](const auto& bonds, double time) { return broke(bonds, time); }) {}
 

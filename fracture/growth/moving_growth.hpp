@@ -70,17 +70,21 @@ protected:
 
   const Growth& growth_;
   const plate::Formulation& start_;
-  const plate::Formulation* membrane_;
   DamagedPlate plate_;
   Record record_;
 
 private:
+  /// `start`, `plate`: before bonds broke and now.
+  std::vector<post::Srif> factors(const plate::Formulation& start, const DamagedPlate& plate,
+                                  const plate::State& state) const;
+
+  const plate::Formulation* membrane_;
   std::optional<post::SrifOptions> options_;
   double rotary_inertia_;
   std::optional<DetachedPieces> detached_pieces_;
 };
 
-/// Constructs the growth that the criterion needs.
+/// Constructs the growth that the criterion needs. `membrane`: of tips alone, single bonds take no loads in the plane.
 std::unique_ptr<MovingGrowth> moving_growth(const Growth& growth, const plate::Formulation& start,
                                             std::optional<post::SrifOptions> factors, double rotary_inertia,
                                             const plate::Formulation* membrane = nullptr);
@@ -129,7 +133,7 @@ std::vector<LoadedBond> first_to_break(const std::vector<LoadedBond>& failing);
 class MovingBonds : public MovingGrowth {
 public:
   MovingBonds(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-              double rotary_inertia, const plate::Formulation* membrane = nullptr);
+              double rotary_inertia);
 
   double fracture_energy() const override { return bonds_.fracture_energy(); }
   void look(double time) override;
@@ -146,7 +150,6 @@ private:
   std::vector<geometry::CrackPath> cuts() const override { return cracks_.cuts(); }
 
   BondLimits limits_;
-  std::optional<BondLimits> limits_in_plane_;
   BondCheck check_;
   BondCracks cracks_;
   BreakingBonds bonds_;

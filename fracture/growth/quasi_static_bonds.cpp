@@ -8,7 +8,6 @@
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/factorised_plate.hpp"
-#include "plate/solve/stretching.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
 
@@ -17,104 +16,29 @@ namespace {
 
 constexpr double equal_demand = 1e-5;  // of the demand: mirror images, solved to a residual of 1e-6 or better
 
-/// Inverses of a plate and of its plane, for stacked() forces.
-class StackedInverse : public plate::Preconditioner {
-public:
-  StackedInverse(std::unique_ptr<plate::Preconditioner> plate, std::unique_ptr<plate::Preconditioner> membrane)
-      : plate_(std::move(plate)), membrane_(std::move(membrane)) {}
-
-  void apply(const plate::Forces& residual, plate::State& result) const override {
-    plate::State bending, in_plane;
-    plate_->apply(plate::of_plate(residual), bending), membrane_->apply(plate::of_plane(residual), in_plane);
-    result = plate::stacked(bending, in_plane);
-  }
-  std::size_t bytes() const override { return plate_->bytes() + membrane_->bytes(); }
-
-private:
-  std::unique_ptr<plate::Preconditioner> plate_, membrane_;
-};
-
 }  // namespace
 
-/// The plate in its plane, and both together.
-struct QuasiStaticBonds::Membrane {
-  const plate::Formulation& start;
-  BondLimits limits;
-  plate::StackedOperator stiffness;
-  plate::Constraints constraints;
-  plate::State state;
-
-  /// `plate`: with its plane.
-  Membrane(const plate::Formulation& membrane, const Growth& growth, const plate::Formulation& bent,
-           const DamagedPlate& plate)
-      : start(membrane),
-        limits(growth, membrane.section(), membrane.discretization()),
-        stiffness(plate, *plate.plane()),
-        constraints(plate::stacked(bent.constraints(), membrane.constraints(), plate.points())),
-        state(plate::zero_state(membrane.points())) {}
-};
-
 QuasiStaticBonds::QuasiStaticBonds(const Growth& growth, const plate::Formulation& start,
-                                   std::optional<post::SrifOptions> factors, const plate::StaticOptions& options,
-                                   const plate::Formulation* membrane)
+                                   std::optional<post::SrifOptions> factors, const plate::StaticOptions& options)
     : growth_(growth),
       start_(start),
       options_of_factors_(std::move(factors)),
       options_(options),
-      plate_(start, membrane, overlap_of_growth(start, options_of_factors_.has_value())),
-      membrane_(membrane ? std::make_unique<Membrane>(*membrane, growth, start, plate_) : nullptr),
+      plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()},
+             overlap_of_growth(start, options_of_factors_.has_value())),
       limits_(growth, start.section(), start.discretization()),
-      check_(growth, limits_, plate_, start.boundary(), membrane ? &membrane_->limits : nullptr),
+      check_(growth, limits_, plate_, start.boundary()),
       cracks_(start),
       load_(start.total_load()),
       state_(plate::zero_state(load_.cols())) {
   diagonal_ = plate::folded_diagonal(plate_, start.constraints());
-  if (membrane) {
-    load_ = plate::stacked(load_, membrane->total_load());
-    diagonal_ = plate::stacked(diagonal_, plate::folded_diagonal(*plate_.plane(), membrane->constraints()));
-  }
   norm_ = norm(load_);
-  if (!start.may_move() && !(membrane && membrane->may_move())) {
-    // the factor would enlarge the rounding of a motion without resistance
+  if (!start.may_move())  // the factor would enlarge the rounding of a motion without resistance
     factor_ = start.preconditioner(plate::Preconditioning::two_level).inverse;
-    if (membrane)
-      factor_ = std::make_unique<StackedInverse>(std::move(factor_),
-                                                 membrane->preconditioner(plate::Preconditioning::two_level).inverse);
-  }
   cracks_.look(0, record_, 0);
 }
 
 QuasiStaticBonds::~QuasiStaticBonds() = default;
-
-double QuasiStaticBonds::norm(const plate::Forces& force) const {
-  if (!membrane_) return plate_.norm(force, diagonal_);
-  return std::hypot(plate_.norm(plate::of_plate(force), plate::of_plate(diagonal_)),
-                    plate_.plane()->norm(plate::of_plane(force), plate::of_plane(diagonal_)));
-}
-
-plate::State QuasiStaticBonds::whole() const {
-  return membrane_ ? plate::stacked(state_, membrane_->state) : state_;
-}
-
-/// What follows other points is what they say, to the last bit: as when restored.
-void QuasiStaticBonds::set_whole(const plate::State& whole) {
-  state_ = membrane_ ? plate::of_plate(whole) : whole;
-  if (membrane_) membrane_->state = plate::of_plane(whole);
-  restored_points();
-}
-
-void QuasiStaticBonds::restored_points() {
-  plate_.constraints().impose(state_);
-  if (membrane_) membrane_->start.constraints().impose(membrane_->state);
-}
-
-std::vector<plate::State*> QuasiStaticBonds::of_points() {
-  return membrane_ ? std::vector{&state_, &membrane_->state} : std::vector{&state_};
-}
-
-std::optional<QuasiStaticModel::InPlane> QuasiStaticBonds::in_plane() const {
-  return membrane_ ? std::optional<InPlane>({membrane_->start, plate_.plane(), membrane_->state}) : std::nullopt;
-}
 
 Loaded QuasiStaticBonds::solve() {
   const bool broken = cracks_.broken() > 0;
@@ -126,57 +50,46 @@ Loaded QuasiStaticBonds::solve() {
     return {"a part hangs by its last bonds and can turn about them", 0, 0, {}};
   }
   Loaded result{"", 2 * post::slow_work(start_, state_), INFINITY, {}};
-  if (membrane_) result.displacement += 2 * post::slow_work(membrane_->start, membrane_->state);
-  most_ = check_.largest(whole());
+  most_ = check_.largest(state_);
   if (most_ > 0)
     result.critical = 1 / std::sqrt(most_);
   else
     result.end = End::cannot_grow;
-  if (advances_ == 0 && !(membrane_ && post::moves(membrane_->state, result.displacement, membrane_->start)))
-    post::require_motion(start_, {start_.total_load()}, state_, result.displacement, warnings_);
+  if (advances_ == 0) post::require_motion(start_, {load_}, state_, result.displacement, warnings_);
   return result;
 }
 
 std::string QuasiStaticBonds::free_pieces() const {
   std::string free;
-  const auto look = [&](const std::vector<plate::Piece>& pieces, const char* where) {
-    for (const auto& piece : pieces)
-      if (piece.free_modes > 0)
-        free += fmt::format("{}the piece of {} points about ({:g}, {:g}) is not held{}", free.empty() ? "" : "; ",
-                            piece.points, piece.position.x(), piece.position.y(), where);
-  };
-  look(plate::pieces(start_.boundary(), plate_.families()), "");
-  if (membrane_ && free.empty())
-    look(plate::pieces(membrane_->start.boundary(), plate_.plane()->families(), plate::PlateLaw::membrane),
-         " in the plane");
+  for (const auto& piece : plate::pieces(start_.boundary(), plate_.families()))
+    if (piece.free_modes > 0)
+      free += fmt::format("{}the piece of {} points about ({:g}, {:g}) is not held", free.empty() ? "" : "; ",
+                          piece.points, piece.position.x(), piece.position.y());
   return free;
 }
 
 /// The residual of the last state is the load of its change.
 void QuasiStaticBonds::find_state() {
-  const plate::Operator& stiffness = membrane_ ? membrane_->stiffness : static_cast<const plate::Operator&>(plate_);
-  const auto& constraints = membrane_ ? membrane_->constraints : plate_.constraints();
-  plate::State state = whole();
   plate::Forces rest;
-  stiffness.internal_force(state, rest);
+  plate_.internal_force(state_, rest);
   rest += load_;
   const double left = norm(rest) / norm_;
   const double tolerance = std::min(options_.tolerance, 1e-6);
   if (left <= tolerance) return;
-  const auto change = plate::conjugate_gradients(stiffness, constraints, rest,
+  const auto change = plate::conjugate_gradients(plate_, plate_.constraints(), rest,
                                                  {tolerance / left, options_.max_iterations, {}}, factor_.get());
   solution_ = {
       {}, solution_.iterations + change.iterations, change.residual * left, change.converged, change.stop_reason};
   if (!change.converged)
     throw plate::NumericalError(fmt::format("cg: {}, residual {:.2e} above tolerance {:.1e}", change.stop_reason,
                                             solution_.residual, tolerance));
-  state += change.state;
-  set_whole(state);
+  state_ += change.state;
+  plate_.constraints().impose(state_);  // what follows other points is what they say, to the last bit: as when restored
 }
 
 void QuasiStaticBonds::choose(const Equilibrium& state) {
   breaks_.clear();
-  if (!state.ends) breaks_ = check_.at_least((1 - equal_demand) * most_, whole());
+  if (!state.ends) breaks_ = check_.at_least((1 - equal_demand) * most_, state_);
   auto row = row_of(state);
   row.crack_length = cracks_.length(), row.tips = cracks_.tips().size(), row.broken_bonds = double(cracks_.broken());
   record_.add(row);
@@ -186,8 +99,8 @@ void QuasiStaticBonds::choose(const Equilibrium& state) {
 void QuasiStaticBonds::advance(double factor) {
   const bool new_lines = cracks_.broke(breaks_, double(advances_));
   plate_.break_bonds(check_.here(breaks_), 1);
-  const plate::State none, state = whole();
-  spent_ += factor * factor * plate_.carry_on_all({state, none, 0});
+  const plate::State none;
+  spent_ += factor * factor * plate_.carry_on_all({state_, none, 0});
   ++advances_;
   if (!new_lines) return;
   new_lines_ = true;
@@ -199,14 +112,24 @@ void QuasiStaticBonds::advance(double factor) {
 std::optional<std::vector<post::Srif>> QuasiStaticBonds::factors(double factor) {
   if (!options_of_factors_ || !new_lines_) return std::nullopt;
   new_lines_ = false;
-  const auto found = [&](const plate::Formulation& start, const DamagedPlate& plate, const plate::State& state) {
-    return of_all(start, factors_of(start, plate, cracks_.tips_of_cracks(), cracks_.paths(), *options_of_factors_,
-                                    state, factor, true));
-  };
-  auto result = found(start_, plate_, state_);
-  if (membrane_)
-    post::add_membrane(result, found(membrane_->start, *plate_.plane(), membrane_->state), start_.section());
-  return result;
+  plate::Forces force;
+  plate_.internal_force(state_, force);
+  start_.boundary().elastic_supports.take_force(state_, force);
+  plate_.constraints().fetch(force);
+  const auto paths = cracks_.paths();
+  const auto view = plate_.tip_view();
+  std::vector<post::Srif> result;
+  for (const auto& [number, tip] : cracks_.tips_of_cracks()) {
+    if (!plate_.here(tip.position)) continue;
+    const auto methods = post::tip_methods(view, start_.problem(), paths, tip, *options_of_factors_);
+    if (!methods) continue;
+    for (auto& srif : (*methods)(factor * state_, factor * force, true)) {
+      srif.tip = number;
+      post::normalize(srif, *options_of_factors_, start_.section().thickness);
+      result.push_back(std::move(srif));
+    }
+  }
+  return of_all(start_, std::move(result));
 }
 
 plate::Mesh QuasiStaticBonds::draw(post::Frame& frame, const plate::State& state) const {

@@ -11,10 +11,9 @@ namespace fracture {
 class QuasiStaticBonds : public QuasiStaticModel {
 public:
   /// `start`: the plate before any bond has broken, of a formulation with bonds that break; both must outlive this.
-  /// `factors`: where intensity factors are wanted. `membrane`: the same points in their plane, where loads act there;
-  /// it must outlive this, too.
+  /// `factors`: where intensity factors are wanted.
   QuasiStaticBonds(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-                   const plate::StaticOptions& options, const plate::Formulation* membrane = nullptr);
+                   const plate::StaticOptions& options);
 
   ~QuasiStaticBonds() override;
   Loaded solve() override;
@@ -38,28 +37,22 @@ public:
 
   void save(plate::OutArchive& archive) const override;
   void restore(plate::InArchive& archive) override;
-  std::optional<InPlane> in_plane() const override;
-  std::vector<plate::State*> of_points() override;
-  void restored_points() override;
+  plate::State* of_points() override { return &state_; }
+  void restored_points() override { plate_.constraints().impose(state_); }
 
 private:
   template <typename Archive, typename Self>
   static void memory(Archive& archive, Self& self);
-  struct Membrane;
   std::string free_pieces() const;
   void find_state();
-  void set_whole(const plate::State& whole);
-  /// State of the plate; stacked() with that of its plane where loads act there, as load_ and diagonal_.
-  plate::State whole() const;
   /// Norm of a force as StaticOptions defines it for residuals.
-  double norm(const plate::Forces& force) const;
+  double norm(const plate::Forces& force) const { return plate_.norm(force, diagonal_); }
 
   const Growth& growth_;
   const plate::Formulation& start_;
   std::optional<post::SrifOptions> options_of_factors_;
   plate::StaticOptions options_;
   DamagedPlate plate_;
-  std::unique_ptr<Membrane> membrane_;  // null where no loads act there
   BondLimits limits_;
   BondCheck check_;
   BondCracks cracks_;

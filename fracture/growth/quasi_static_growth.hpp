@@ -15,8 +15,6 @@ class Constraints;
 
 namespace fracture {
 
-class DamagedPlate;
-
 /// A plate in equilibrium with the whole load, as far as it has grown.
 struct Loaded {
   std::string split;            // what is not held any more, and nothing could be solved; empty: all is held
@@ -60,15 +58,7 @@ public:
   virtual double fracture_energy() const = 0;  // taken so far
   virtual bool longest() const = 0;            // have cracks the largest length that was asked for?
 
-  /// The plate in its plane, at the last solution under the whole load.
-  struct InPlane {
-    const plate::Formulation& membrane;  // as it was at first where its bonds break
-    const DamagedPlate* damaged;         // with broken bonds; null: none break there
-    const plate::State& state;
-  };
   // What is seen of it.
-  /// None where no loads act in the plane.
-  virtual std::optional<InPlane> in_plane() const { return std::nullopt; }
   virtual const plate::Formulation& plate() const = 0;  // of the last solution
   virtual const plate::State& state() const = 0;        // of it, under the whole load
   virtual const plate::Constraints& constraints() const { return plate().constraints(); }
@@ -91,8 +81,8 @@ public:
   virtual void save(plate::OutArchive& archive) const = 0;
   /// Restores the state of a model that has not been solved yet. Throws plate::NumericalError.
   virtual void restore(plate::InArchive& archive) = 0;
-  /// Values of points to be saved beside save(): each rank saves its own.
-  virtual std::vector<plate::State*> of_points() { return {}; }
+  /// Values of points to be saved beside save(): each rank saves its own. Null where there are none.
+  virtual plate::State* of_points() { return nullptr; }
   /// Computes the values of all other points, after those of owned points have been restored.
   virtual void restored_points() {}
 

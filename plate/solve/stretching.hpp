@@ -1,6 +1,4 @@
 #pragma once
-#include "plate/formulation/constraints.hpp"
-#include "plate/formulation/operator.hpp"
 #include "plate/model/state.hpp"
 #include "plate/solve/matrices/point_matrix.hpp"
 
@@ -20,37 +18,6 @@ inline State of_plate(const State& both) {
 inline State of_plane(const State& both) {
   return both.rightCols(both.cols() / 2);
 }
-
-/// Constraints of stacked() states of a plate of so many points and its plane.
-inline Constraints stacked(const Constraints& plate, const Constraints& membrane, std::size_t points) {
-  Constraints result;
-  result.add(plate, 0), result.add(membrane, std::uint32_t(points));
-  result.resolve();
-  return result;
-}
-
-/// A plate and its plane that do not act on each other, as the stiffness of stacked() states.
-class StackedOperator : public Operator {
-public:
-  /// Both have as many points, and must outlive this.
-  StackedOperator(const Operator& plate, const Operator& membrane) : plate_(plate), membrane_(membrane) {}
-
-  std::size_t points() const override { return 2 * plate_.points(); }
-  void internal_force(const State& state, Forces& forces) const override {
-    Forces on_plate, on_membrane;
-    plate_.internal_force(of_plate(state), on_plate), membrane_.internal_force(of_plane(state), on_membrane);
-    forces = stacked(on_plate, on_membrane);
-  }
-  void absolute_product(const State& state, Forces& forces) const override {
-    Forces on_plate, on_membrane;
-    plate_.absolute_product(of_plate(state), on_plate), membrane_.absolute_product(of_plane(state), on_membrane);
-    forces = stacked(on_plate, on_membrane);
-  }
-  Forces diagonal() const override { return stacked(plate_.diagonal(), membrane_.diagonal()); }
-
-private:
-  const Operator &plate_, &membrane_;
-};
 
 /// Strains that deflections give the middle plane of a plate, grad w (x) grad w / 2, and the nodal forces by which they
 /// load it in its plane.

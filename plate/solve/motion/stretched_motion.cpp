@@ -29,10 +29,11 @@ StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& me
     : plate_(plate),
       membrane_(membrane),
       growing_(growing),
-      linear_(growing ? growing->plate : plate, growing ? growing->membrane : membrane),
-      constraints_(stacked(plate.constraints(), membrane.constraints(), plate.points())),
       unconstrained_mass_(stacked(plate::unconstrained_mass(plate, rotary), mass_in_plane(plate))) {
   if (plate.problem().stretches) stretching_ = membrane.stretching();
+  constraints_.add(plate.constraints(), 0);
+  constraints_.add(membrane.constraints(), std::uint32_t(plate.points()));
+  constraints_.resolve();
   if (!plate.problem().faces_touch()) return;
   pairs_ = plate.face_pairs();
   const Forces mass = this->mass();
@@ -47,20 +48,25 @@ std::size_t StretchedMotion::points() const {
 }
 
 void StretchedMotion::internal_force(const State& state, Forces& forces) const {
-  if (!stretching_) return linear_.internal_force(state, forces);
   const State bending = of_plate(state), membrane = of_plane(state);
   Forces on_bending, on_membrane, stretched;
-  plate_.internal_force(bending, on_bending);
-  stretching_->internal_force(bending, membrane, stretched, on_membrane), on_bending += stretched;
+  (growing_ ? growing_->plate : plate_).internal_force(bending, on_bending);
+  if (stretching_)
+    stretching_->internal_force(bending, membrane, stretched, on_membrane), on_bending += stretched;
+  else
+    (growing_ ? growing_->membrane : membrane_).internal_force(membrane, on_membrane);
   forces = stacked(on_bending, on_membrane);
 }
 
 void StretchedMotion::absolute_product(const State& state, Forces& forces) const {
-  linear_.absolute_product(state, forces);
+  Forces on_bending, on_membrane;
+  plate_.absolute_product(of_plate(state), on_bending);
+  membrane_.absolute_product(of_plane(state), on_membrane);
+  forces = stacked(on_bending, on_membrane);
 }
 
 Forces StretchedMotion::diagonal() const {
-  return linear_.diagonal();
+  return stacked(plate_.diagonal(), membrane_.diagonal());
 }
 
 Forces StretchedMotion::mass() const {

@@ -66,7 +66,6 @@ private:
   const Formulation& plate_;
   const Formulation& membrane_;
   std::optional<Growing> growing_;
-  StackedOperator linear_;
   std::unique_ptr<const Stretching> stretching_;
   Constraints constraints_;
   Forces unconstrained_mass_;

@@ -86,7 +86,8 @@ double strip_factor(double share) {
 
 TEST_CASE("growth in the plane: a crack in a strip in tension grows straight on where N1 is critical") {
   const auto* direction = GENERATE("tangential_moment", "energy_release");
-  const auto* formulation = GENERATE("galerkin", "ordinary");
+  const std::string formulation = GENERATE("galerkin", "ordinary");
+  const double tolerance = formulation == "galerkin" ? 0.01 : 0.012;  // 0.12 to 0.72 %; 1.03 %
   Cracked plate{.formulation = formulation};
   plate.growth = fmt::format("direction = \"{}\"\nincrement = 2.5\nmax_advances = 4", direction);
   const Grown run(plate);
@@ -98,7 +99,7 @@ TEST_CASE("growth in the plane: a crack in a strip in tension grows straight on 
     const double N1 = std::sqrt(section.young / std::numbers::pi) * section.thickness;  // G = pi N1^2 / (E h) = G_c h
     const double expected = N1 / (std::sqrt(a) * strip_factor(2 * a / plate.width));
     CAPTURE(a, run.at("growth", i, "load_factor") / expected - 1);
-    CHECK(run.at("growth", i, "load_factor") == Approx(expected).epsilon(0.012));  // 0.12 to 0.72 %, 1.03 % of bonds
+    CHECK(run.at("growth", i, "load_factor") == Approx(expected).epsilon(tolerance));
     for (std::size_t tip = 2 * i; tip < 2 * i + 2; ++tip) {
       CHECK(std::abs(run.at("tips", tip, "y")) < 1e-9);
       CHECK(run.at("tips", tip, "N1") == Approx(N1).epsilon(0.01));  // under the load of growth

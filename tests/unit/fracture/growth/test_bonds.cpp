@@ -100,7 +100,7 @@ TEST_CASE("quasi-static bonds: one that recalls goes on to the same numbers") {
   first.save(out);
   plate::InArchive in(stream);
   second.restore(in);
-  *second.of_points().front() = *first.of_points().front();
+  *second.of_points() = *first.of_points();
   second.restored_points();
   first.advance(factor), second.advance(factor);
   CHECK(step(first, 2) == step(second, 2));
