@@ -44,6 +44,7 @@ CaseFile in_motion(CaseFile file, const QuasiStaticRun& run) {
   c.analysis.method = Analysis::Method::central_difference;
   c.analysis.start = Analysis::Start::equilibrium;
   c.analysis.duration = c.growth->duration;
+  c.joined_with_plane = plate::loaded_in_plane(c);
   c.growth->unstable = fracture::Growth::Unstable::jump;
   c.output.every = c.growth->duration / 10;
   c.cracks = run.cracks();

@@ -43,6 +43,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {coupled_section, "plies that are not symmetric, or a stiffener with `eccentricity`"},
     {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
+    {pressed_stiffener, "`stiffener.axial` in motion, with large deflections, buckling or frequencies"},
     {factors_to_accuracy, "`srif.accuracy`"},
     {richardson, "`srif.richardson`"},
     {second_formulation, "`srif.second_formulation`"},
@@ -89,8 +90,7 @@ constexpr auto features = std::to_array<std::pair<plate::Feature, std::string_vi
      "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
     {plate::Feature::hubs_in_holes, "supports of kind `\"hub\"` in holes"},
-    {plate::Feature::growth_in_plane, "`[growth]` under loads in the plane, or with `cracks.contact`"},
-    {plate::Feature::moving_faces, "`cracks.contact` in motion"},
+    {plate::Feature::moving_faces, "`cracks.contact` in motion, or of cracks that grow"},
 });
 
 std::string by_one_process(const char* what) {
@@ -212,10 +212,9 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, stiffness_damping, "analysis.damping",
      "damping by the stiffness does not act in the plane yet: give mass alone"},
     {load_in_plane, growth_of_bonds, "growth.criterion",
-     "bonds break by the energy of bending alone, not by that of loads in the plane: choose \"energy_release\""},
-    {load_in_plane, growth_of_heated_cracks_in_motion, "growth",
-     "growth in motion takes no account of loads in the plane: let cracks grow at rest, with unstable = \"stop\" or "
-     "\"jump\""},
+     "single bonds that break in tension leave bridges, whose toughness is not known yet: choose \"energy_release\""},
+    {growth_in_plane, frozen_pieces, "growth.fallen",
+     "\"freeze\" holds pieces of plates that bend alone: choose \"move\""},
     {large_deflections_in_motion, mean_temperature, "analysis.nonlinear",
      "heat in the plane is carried with large deflections at rest, not in motion yet: choose kind = \"static\", or "
      "remove it"},
@@ -290,6 +289,8 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, richardson, "srif.richardson", of_uncoupled},
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
     {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
+    {pressed_stiffener, processes, "stiffener",
+     by_one_process("axial forces of stiffeners cannot bear on deflections")},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
     {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},
@@ -376,7 +377,9 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.section.isotropic(), directed_section);
   add(content.coupled(), coupled_section);
   add(content.section.heavier_on_one_side(), heavier_on_one_side);
-  add(std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches), axial_stiffener);
+  const bool axial = std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches);
+  add(axial, axial_stiffener);
+  add(axial && (a.kind != Kind::static_ || a.nonlinear), pressed_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);
     add(srif->richardson, richardson);

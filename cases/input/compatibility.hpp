@@ -42,6 +42,7 @@ enum class Part {
   coupled_section,
   heavier_on_one_side,
   axial_stiffener,
+  pressed_stiffener,
   factors_to_accuracy,
   richardson,
   second_formulation,

@@ -80,18 +80,14 @@ void add_stretching(const Case& content, std::vector<Asked>& found) {
   if (content.faces_touch())
     found.push_back({"contact of crack faces", "cracks.contact", Feature::touching_faces, true,
                      "choose that or formulation = \"galerkin\""});
-  if (content.faces_touch() && content.moves())
-    found.push_back({"contact of crack faces in motion", "cracks.contact", Feature::moving_faces, true,
-                     "choose formulation = \"galerkin\""});
+  if (content.faces_touch() && (content.moves() || content.growth))
+    found.push_back({content.growth ? "contact of cracks that grow" : "contact of crack faces in motion",
+                     "cracks.contact", Feature::moving_faces, true, "choose formulation = \"galerkin\""});
   if (content.analysis.kind == Analysis::Kind::buckling) add("buckling", "analysis.kind");
   const bool loaded = plate::loaded_in_plane(content);
   if (loaded && content.analysis.kind == Analysis::Kind::frequencies)
     add("frequencies under loads in the plane", "analysis.kind");
   if (loaded && content.moves()) add("motion under loads in the plane", "analysis.kind");
-  if (!loaded && !content.faces_touch()) return;
-  if (content.growth && (content.faces_touch() || !content.growth->by_bonds()))
-    found.push_back({"growth under loads in the plane", "growth", Feature::growth_in_plane, true,
-                     "choose formulation = \"galerkin\""});
 }
 
 void add_loads_in_plane(const plate::Problem& problem, std::vector<Asked>& found) {

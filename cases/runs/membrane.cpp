@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cases/runs/cost_estimate.hpp"
+#include "fracture/breakage/damaged_plate.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
@@ -31,10 +32,11 @@ namespace cases {
 namespace {
 
 /// Forces in the plane: the couples on theta_x = -v and theta_y = u.
-std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulation& membrane, const plate::State& state,
+std::vector<post::MembraneSummary::Reaction> reactions_of(const plate::Formulation& membrane,
+                                                          const plate::Operator& stiffness, const plate::State& state,
                                                           const plate::Forces& load) {
   post::ReactionRows rows;
-  rows.add(0, membrane, membrane, state, load);
+  rows.add(0, membrane, stiffness, state, load);
   std::vector<post::MembraneSummary::Reaction> result;
   const auto found = rows.summary();
   for (std::size_t i = 0; found && i < found->supports.size(); ++i) {
@@ -74,17 +76,18 @@ std::vector<std::string> warnings_about_pins(const plate::Formulation& membrane,
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
-                                const std::string& where, const plate::Stretch* stretch) {
+                                const std::string& where, const plate::Stretch* stretch,
+                                const fracture::DamagedPlate* damaged) {
   const auto& [options, methods, all_rings, largest_before, known] = wanted;
   post::require_finite(state, "in equilibrium " + where, membrane);
   MembraneResult result;
   const auto points = Eigen::Index(membrane.cloud().plate_points);
-  if (heat.linear &&
+  if (!damaged && heat.linear &&
       heat.linear->varies()) {  // strains at edges are means of half a cell, where those of the heat are not
     result.forces =
         membrane.resultants(state - plate::free_field(membrane.cloud().positions, membrane.problem(), *heat.linear));
   } else {
-    result.forces = membrane.resultants(state);
+    result.forces = damaged ? damaged->resultants(state) : membrane.resultants(state);
     plate::relieve(result.forces, membrane.section(), heat);
   }
   result.fields.displacement.resize(2, points);
@@ -101,10 +104,11 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   }
   auto& summary = result.summary;
   result.stored = plate::stored(membrane, heat, state);
-  summary.strain_energy = membrane.strain_energy(state) + result.stored;
+  summary.strain_energy = (damaged ? plate::half_work(*damaged, state) : membrane.strain_energy(state)) + result.stored;
   summary.external_work = post::slow_work(membrane, load, state) + result.stored;
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
-  summary.reactions = reactions_of(membrane, state, load);
+  const auto& stiffness = damaged ? static_cast<const plate::Operator&>(*damaged) : membrane;
+  summary.reactions = reactions_of(membrane, stiffness, state, load);
   for (const auto& line : warnings_about_pins(membrane, summary.reactions, result.factors))
     result.warnings.push_back(of_plane(line));
   return result;

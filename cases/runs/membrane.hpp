@@ -21,6 +21,10 @@ struct TouchingFaces;
 enum class LoadControl : bool;
 }  // namespace plate
 
+namespace fracture {
+class DamagedPlate;
+}
+
 namespace cases {
 
 /// A plate in its plane, at rest under its loads.
@@ -49,11 +53,13 @@ MembraneResult membrane_at_rest(const plate::Formulation& membrane, const plate:
                                 const MembraneFactorsWanted& wanted, const plate::StaticResult* solved = nullptr);
 
 /// Results of a plate in its plane in a state of equilibrium under a load. `where`: in messages;
-/// `heat`: among the load; `stretch`: of its middle plane by the deflections.
+/// `heat`: among the load; `stretch`: of its middle plane by the deflections; `damaged`: with the bonds that have
+/// broken, null: none have.
 /// @throws plate::NumericalError  a number is not finite
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
                                 const plate::Forces& load, const plate::Heat& heat, const MembraneFactorsWanted& wanted,
-                                const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr);
+                                const std::string& where = "in the plane", const plate::Stretch* stretch = nullptr,
+                                const fracture::DamagedPlate* damaged = nullptr);
 
 /// Findings on contact of the faces of cracks.
 struct FacesFound {

@@ -91,7 +91,7 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (content().moves() && last) energy_balance_.check(terms, when);  // no further row looks back at this one
   reactions_.add(now, growth_ ? growth_->plate() : plate_);
   if (!growth_) extremes_.row(now);
-  if (in_plane_ && content().moves() && extremes_.time() == now.time) look_at_stress(now, heat);
+  if (in_plane_ && !growth_ && content().moves() && extremes_.time() == now.time) look_at_stress(now, heat);
   times_.push_back(now.time);
   const auto factors = [&]() -> std::vector<post::Srif> {
     if (growth_) return fracture::of_all(plate_, growth_->factors(now.state));
@@ -114,12 +114,12 @@ void Results::frame(const plate::Instant& now) {
   const auto heat = of_mode ? plate::Heat{} : plate::heat_at(plate_, now.time);
   auto frame = post::frame_of(plate_, now.time, now.step, now.what_strains(), !growth_, &heat);
   if (now.rest) frame.state = now.state.leftCols(frame.state.cols());
-  if (in_plane_) add_in_plane(frame, plate_, *membrane_, *in_plane_);
   std::optional<plate::Mesh> mesh;
   if (growth_) {
     auto drawn = growth_->draw(frame, now.state, factors_.last());
     if (recorder.draws()) mesh = std::move(drawn);
   }
+  if (in_plane_) add_in_plane(frame, plate_, *membrane_, *in_plane_);
   if (frame.resultants.von_mises.size() > 0 && !growth_) extremes_.frame(now.time, frame.resultants);
   if (!outputs_.takes_frames()) return;
   const bool rates = recorder.stores() && content().moves();

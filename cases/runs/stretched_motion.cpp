@@ -5,6 +5,7 @@
 #include "cases/runs/analyses.hpp"
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/results.hpp"
+#include "fracture/growth/moving_growth.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/membrane.hpp"
@@ -21,6 +22,17 @@
 namespace cases {
 namespace {
 
+/// The growth of a case; null where cracks do not grow.
+std::unique_ptr<fracture::MovingGrowth> growth_of(const Case& c, const plate::Formulation& plate,
+                                                  const plate::Formulation& membrane) {
+  return c.growth ? fracture::moving_growth(*c.growth, plate, c.srif, c.analysis.rotary_inertia, &membrane) : nullptr;
+}
+
+/// Stiffness of a plate and its plane whose cracks grow.
+std::optional<plate::StretchedMotion::Growing> growing(const fracture::MovingGrowth* growth) {
+  return growth ? std::optional<plate::StretchedMotion::Growing>({growth->plate(), *growth->plane()}) : std::nullopt;
+}
+
 /// Motion of a plate and its plane by central differences.
 class StretchedMotionRun : public PlateAnalysis {
 public:
@@ -28,8 +40,11 @@ public:
       : PlateAnalysis(ready, outputs),
         results_(outputs, plate_, ready.tip_methods),
         membrane_(*ready.membrane),
-        both_(plate_, membrane_, content().analysis.rotary_inertia),
-        checkpoints_(checkpoints) {}
+        growth_(growth_of(content(), plate_, membrane_)),
+        both_(plate_, membrane_, content().analysis.rotary_inertia, growing(growth_.get())),
+        checkpoints_(checkpoints) {
+    if (growth_) results_.grows(*growth_);
+  }
 
   void solve() override;
   void finish() override;
@@ -45,6 +60,7 @@ private:
 
   Results results_;
   const plate::Formulation& membrane_;
+  std::unique_ptr<fracture::MovingGrowth> growth_;
   plate::StretchedMotion both_;
   RunCheckpoints* checkpoints_;
   std::vector<double> largest_in_plane_;  // factor of every tip so far
@@ -65,6 +81,7 @@ plate::DynamicOptions StretchedMotionRun::options() {
   if (begin.velocity.size() > 0) result.velocity = plate::stacked(begin.velocity, plate::zero_like(begin.velocity));
   result.impact = begin.impact;
   result.own = both_.owned();
+  if (growth_) result.changes = &growth_->changes();
   if (analysis.damping) result.mass_damping = analysis.damping->mass;
   if (plate::has_prescribed_displacements(plate_)) result.unconstrained_mass = both_.unconstrained_mass();
   result.faces = both_.faces();
@@ -82,9 +99,11 @@ MembraneResult StretchedMotionRun::in_plane(const plate::Instant& both, bool las
   load -= plate::of_plane(both_.unconstrained_mass()).cwiseProduct(acceleration);
   std::optional<plate::Stretch> stretch;
   if (both_.act_on_each_other()) stretch = both_.stretch(bending), load += stretch->forces;
-  auto result = membrane_results(membrane_, membrane, load, plate::heat_at(membrane_, both.time),
-                                 {content().srif, ready_.membrane_methods, last, &largest_in_plane_}, "in the plane",
-                                 stretch ? &*stretch : nullptr);
+  MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods, last, &largest_in_plane_};
+  std::vector<post::Srif> of_tips;
+  if (growth_) of_tips = growth_->factors_in_plane(membrane), wanted.known = &of_tips, wanted.largest = nullptr;
+  auto result = membrane_results(membrane_, membrane, load, plate::heat_at(membrane_, both.time), wanted,
+                                 "in the plane", stretch ? &*stretch : nullptr, growth_ ? growth_->plane() : nullptr);
   if (const auto* stretching = both_.stretching())
     result.forces.moments = result.fields.force = stretching->membrane_forces(bending, membrane);
   if (stretch) couple(result, plate_, membrane_, {bending, membrane}, stretch->strains);
@@ -163,6 +182,7 @@ void StretchedMotionRun::save(const plate::MotionCheckpoint& now) {
   const auto save_state = [&](plate::OutArchive& archive) {
     archive(now, largest_in_plane_, largest_rotation_, largest_pressure_);
     results_.save(archive);
+    if (growth_) growth_->save(archive);
   };
   const std::array<plate::State, 4> parts{plate::of_plate(now.state), plate::of_plane(now.state),
                                           plate::of_plate(now.velocity), plate::of_plane(now.velocity)};
@@ -177,6 +197,7 @@ std::optional<plate::MotionCheckpoint> StretchedMotionRun::restored() {
   const bool found = checkpoints_->restore([&](plate::InArchive& archive) {
     archive(result, largest_in_plane_, largest_rotation_, largest_pressure_);
     results_.restore(archive);
+    if (growth_) growth_->restore(archive);
   });
   if (!found) return std::nullopt;
   std::array<plate::State, 4> parts;

@@ -52,6 +52,7 @@ void DamagedPlate::save(plate::OutArchive& archive) const {
   for (const auto& one : going_) result.going.emplace_back(one.number, one.share);
   result.events = events_, result.breakages = breakages_, result.easing_left = easing_left_;
   archive(result);
+  if (plane_) plane_->save(archive);
 }
 
 /// Families come in the order in which they lost their first bonds, as every process had them: of a piece of crack by
@@ -85,6 +86,7 @@ void DamagedPlate::load(plate::InArchive& archive) {
   std::ranges::sort(easing_);
   for (auto& one : going_) std::ranges::sort(one.points);
   events_ = memory.events, breakages_ = memory.breakages, easing_left_ = memory.easing_left;
+  if (plane_) plane_->load(archive);
 }
 
 }  // namespace fracture

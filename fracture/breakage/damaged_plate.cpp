@@ -13,6 +13,7 @@
 #include "plate/formulation/tip_view.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/stretching.hpp"
 #include "post/files/frame.hpp"
 
 namespace fracture {
@@ -116,6 +117,12 @@ DamagedPlate::DamagedPlate(const plate::FamilyOperator& base, const plate::Bound
   for (const auto& shape : base.shapes()) reach_ = std::max(reach_, shape.length / boundary.cloud.units.spacing);
 }
 
+DamagedPlate::DamagedPlate(const plate::Formulation& start, const plate::Formulation* membrane,
+                           std::shared_ptr<const plate::Surroundings> seen)
+    : DamagedPlate(*start.breaking(), start.boundary(), {start.section(), start.discretization()}, std::move(seen)) {
+  if (membrane) plane_ = std::make_unique<DamagedPlate>(*membrane, nullptr, nullptr);
+}
+
 /// `left`: share of the family's second moment that is left; `ids`: of its bond vectors.
 void DamagedPlate::soften(plate::FamilyWeights& family, double left, const std::vector<std::uint32_t>& ids) const {
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -126,7 +133,8 @@ void DamagedPlate::soften(plate::FamilyWeights& family, double left, const std::
   }
   const double share = std::min(1.0, left / gives_way);
   const double bending = std::min(share, stiffest_.bending / bending_stiffness(family.a, family.bonds));
-  const double shear = std::min(share, stiffest_.shear / shear_stiffness(family.bonds));
+  const double resists = shear_stiffness(family.bonds);  // nothing in the plane
+  const double shear = resists > 0 ? std::min(share, stiffest_.shear / resists) : share;
   if (bending == 1 && shear == 1) return;
   family.a *= bending;
   for (auto& bond : family.bonds) bond.B *= bending, bond.S *= shear;
@@ -275,12 +283,18 @@ std::size_t DamagedPlate::begin_breakage(CutBonds cut) {
   return going_.back().number;
 }
 
+std::vector<DamagedPlate::CutBonds> DamagedPlate::cuts_by(const std::vector<CrackPiece>& pieces) const {
+  std::vector<CutBonds> result;
+  for (const auto& piece : pieces) result.push_back(cut_by(piece));
+  return result;
+}
+
 std::vector<std::optional<std::size_t>> DamagedPlate::break_bonds(const std::vector<CrackPiece>& pieces) {
-  std::vector<CutBonds> cuts;
-  for (const auto& piece : pieces) cuts.push_back(cut_by(piece));
+  const auto cuts = cuts_by(pieces), in_plane = plane_ ? plane_->cuts_by(pieces) : std::vector<CutBonds>{};
   std::vector<std::size_t> first(pieces.size());  // of the pieces that share points with each
   std::iota(first.begin(), first.end(), 0);
-  const auto shared = sharing(cuts);
+  auto shared = sharing(cuts);
+  if (plane_) std::ranges::copy(plane_->sharing(in_plane), std::back_inserter(shared));
   for (const auto& [i, j] : shared)
     std::ranges::replace(first, std::max(first[i], first[j]), std::min(first[i], first[j]));
   std::vector<char> waits(pieces.size(), 0);
@@ -291,13 +305,17 @@ std::vector<std::optional<std::size_t>> DamagedPlate::break_bonds(const std::vec
     std::ranges::sort(to);
     to.erase(std::ranges::unique(to).begin(), to.end());
   };
+  const auto all_of = [&](const std::vector<CutBonds>& some, std::size_t i) {
+    CutBonds all;
+    for (std::size_t j = i; j < pieces.size(); ++j)
+      if (first[j] == i) add(all.bonds, some[j].bonds), add(all.points, some[j].points);
+    return all;
+  };
   std::vector<std::optional<std::size_t>> result(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (first[i] != i || waits[i]) continue;
-    CutBonds all;
-    for (std::size_t j = i; j < pieces.size(); ++j)
-      if (first[j] == i) add(all.bonds, cuts[j].bonds), add(all.points, cuts[j].points);
-    const auto number = begin_breakage(std::move(all));
+    const auto number = begin_breakage(all_of(cuts, i));
+    if (plane_) plane_->begin_breakage(all_of(in_plane, i));
     for (std::size_t j = i; j < pieces.size(); ++j)
       if (first[j] == i) result[j] = number;
   }
@@ -309,7 +327,11 @@ double DamagedPlate::carry_on(std::size_t number, double share, const Motion& mo
   const double fraction = share >= 1 ? 1 : (share - found->share) / (1 - found->share);
   std::vector<double> spent;
   for (const auto k : found->points) spent.push_back(approach(k, fraction, motion));
-  const double all = sum_of_all(found->points, spent);
+  double all = sum_of_all(found->points, spent);
+  if (plane_) {
+    const plate::State state = plate::of_plane(motion.state), velocity = plate::of_plane(motion.velocity);
+    all += plane_->carry_on(number, share, {state, velocity, motion.time_step});
+  }
   found->share = share;
   if (share < 1) return all;
   for (const auto k : found->points) changed_[std::size_t(broken_.number(k))].ongoing = false;
@@ -403,6 +425,11 @@ void DamagedPlate::internal_force(const plate::State& state, plate::Forces& forc
   }
 }
 
+plate::Resultants DamagedPlate::resultants(const plate::State& state) const {
+  return plate::resultants(state, families_, base_.shapes(), boundary_.cloud.areas, boundary_.cloud.plate_points,
+                           rule_.section());
+}
+
 std::shared_ptr<const plate::TipView> DamagedPlate::tip_view() const {
   return std::make_shared<plate::BondView>(boundary_.cloud, families_, base_.shapes(), rule_.section(),
                                            rule_.discretization());
@@ -413,7 +440,7 @@ plate::Mesh DamagedPlate::draw(post::Frame& frame, const plate::State& state, co
   const auto& first = base_.families();
   const auto& shapes = base_.shapes();
   const auto& cloud = boundary_.cloud;
-  frame.resultants = plate::resultants(state, families_, shapes, cloud.areas, cloud.plate_points, start.section());
+  frame.resultants = resultants(state);
   frame.damage.assign(cloud.plate_points, 0);
   const auto weight = [&](const geometry::Families& of, std::size_t k) {
     double sum = 0;

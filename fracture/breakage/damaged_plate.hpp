@@ -17,6 +17,7 @@ namespace plate {
 class Formulation;
 class TipView;
 struct Mesh;
+struct Resultants;
 struct Surroundings;
 }  // namespace plate
 
@@ -121,6 +122,8 @@ struct CrackPiece {
 /// since in the families that lost bonds. Each goes over to the weights that its surface correction gives to the bonds
 /// left, at once or step by step. A family with few bonds left would ask for shorter time steps: none gets stiffer than
 /// beside a clean crack, and what has less than two fifths of its bonds gives way in proportion. One call at a time.
+/// Where loads act in its plane, pieces of cracks break the same bonds there: plane(). A motion is then one of
+/// stacked() states; forces, views and drawings are of this plate alone.
 class DamagedPlate : public plate::Operator {
 public:
   /// Constructs the undamaged plate; all arguments but the rule must outlive this. `seen`: in a distributed plate, the
@@ -128,6 +131,10 @@ public:
   /// factors need.
   DamagedPlate(const plate::FamilyOperator& base, const plate::Boundary& boundary, const plate::FamilyRule& rule,
                std::shared_ptr<const plate::Surroundings> seen = {});
+  /// `start`: of a formulation whose bonds break; `membrane`: the same points in their plane (PlateLaw::membrane), by
+  /// one process; null: no loads act there. Both must outlive this.
+  DamagedPlate(const plate::Formulation& start, const plate::Formulation* membrane,
+               std::shared_ptr<const plate::Surroundings> seen);
 
   std::size_t points() const override { return base_.points(); }
   void internal_force(const plate::State& state, plate::Forces& forces) const override;
@@ -137,6 +144,9 @@ public:
     base_.absolute_product(state, forces);
   }
   plate::Forces diagonal() const override { return base_.diagonal(); }
+
+  /// The same points in their plane; null where no loads act there.
+  const DamagedPlate* plane() const { return plane_.get(); }
 
   /// Constraints of the boundary; where the plate is distributed, they fetch the values of all points that this rank
   /// knows.
@@ -162,6 +172,8 @@ public:
   /// Carries the families that lose single bonds on by a step; returns the energy that this takes.
   double carry_on_all(const Motion& motion);
 
+  /// Moments and shear forces, or membrane forces, of every point of the plate.
+  plate::Resultants resultants(const plate::State& state) const;
   /// View of the plate for the tips of its cracks in its present state. This must outlive it.
   std::shared_ptr<const plate::TipView> tip_view() const;
   /// The cells, cut along the cracks; sets the frame's resultants and damage. `start`: the plate before.
@@ -198,6 +210,7 @@ private:
   };
   CutBonds cut_by(const CrackPiece& piece) const;
   std::vector<std::array<std::size_t, 2>> sharing(const std::vector<CutBonds>& cuts) const;
+  std::vector<CutBonds> cuts_by(const std::vector<CrackPiece>& pieces) const;
   std::size_t begin_breakage(CutBonds cut);
   void lose(std::uint32_t k, std::size_t i, std::uint64_t place);
   Change& change(std::uint32_t k);
@@ -214,6 +227,7 @@ private:
   const plate::FamilyOperator& base_;
   const plate::Boundary& boundary_;
   plate::FamilyRule rule_;
+  std::unique_ptr<DamagedPlate> plane_;
   std::vector<char> known_;                  // points whose families are followed; empty: all
   std::optional<plate::Constraints> wider_;  // where the plate is distributed
   geometry::Families families_;

@@ -6,6 +6,7 @@
 
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/stretching.hpp"
 #include "post/factors/plate_factors.hpp"
 
 namespace fracture {
@@ -33,9 +34,10 @@ std::vector<geometry::Polyline> polylines(const std::vector<geometry::CrackPath>
 }  // namespace
 
 MovingCracks::MovingCracks(const Growth& growth, const plate::Problem& problem, DamagedPlate& plate,
-                           std::vector<geometry::CrackPath> paths)
+                           std::vector<geometry::CrackPath> paths, const plate::Problem* membrane)
     : growth_(growth),
       problem_(problem),
+      membrane_(membrane),
       plate_(plate),
       paths_(std::move(paths)),
       spacing_(problem.discretization.spacing),
@@ -45,23 +47,25 @@ MovingCracks::MovingCracks(const Growth& growth, const plate::Problem& problem, 
 }
 
 /// The energy release rate of a tip; none where no ring fits about it.
-std::shared_ptr<const post::TipMethods> MovingCracks::gauge(const geometry::Tip& tip) const {
+std::shared_ptr<const MovingCracks::Gauge> MovingCracks::gauge(const geometry::Tip& tip) const {
   post::SrifOptions options;
   options.methods = {post::SrifMethod::virtual_crack_extension};
   options.first_ring_only = true;
   const double near = 7.6 * spacing_;  // rings of 7 spacings: a quarter of the work of the usual 16
   auto found = post::tip_methods(plate_.tip_view(), problem_, paths_, tip, options, near);
-  return found ? std::make_shared<const post::TipMethods>(std::move(*found)) : nullptr;
+  if (!found) return nullptr;
+  if (!membrane_) return std::make_shared<const Gauge>(Gauge{std::move(*found), std::nullopt});
+  auto in_plane = post::tip_methods(plate_.plane()->tip_view(), *membrane_, paths_, tip, options, near);
+  return in_plane ? std::make_shared<const Gauge>(Gauge{std::move(*found), std::move(in_plane)}) : nullptr;
 }
 
 /// Evaluates a tip on the rank that has it and sends the result to all ranks.
-MovingCracks::TipMeasurement MovingCracks::look(MovingTip& tip, const plate::State& state,
-                                                const plate::Forces& force) const {
+MovingCracks::TipMeasurement MovingCracks::look(MovingTip& tip, const Strained& now) const {
   std::vector<TipMeasurement> seen;
   if (plate_.here(tip.tip.position)) {
     if (!tip.gauge) tip.gauge = gauge(tip.tip);
     if (tip.gauge) {
-      const auto srif = (*tip.gauge)(state, force, false).front();
+      const auto srif = tip.gauge->bending(now.state, now.force, false).front();
       const auto& [K1, K2, K3] = srif.errors;
       seen.push_back({true,
                       *srif.G,
@@ -69,6 +73,13 @@ MovingCracks::TipMeasurement MovingCracks::look(MovingTip& tip, const plate::Sta
                       {K1.value_or(INFINITY), K2.value_or(INFINITY), K3.value_or(INFINITY)}});
     } else {
       seen.emplace_back();
+    }
+    if (tip.gauge && membrane_) {
+      const auto srif = (*tip.gauge->in_plane)(*now.in_plane, *now.force_in_plane, false).front();
+      auto& [fits, G, factors, errors] = seen.back();
+      G += *srif.G;
+      factors.N1 = srif.K1, factors.N2 = srif.K2;
+      errors.N1 = srif.errors[0].value_or(INFINITY), errors.N2 = srif.errors[1].value_or(INFINITY);
     }
   }
   return plate::gathered(plate_.map(), seen).at(0);
@@ -81,10 +92,11 @@ std::vector<std::pair<std::size_t, geometry::Tip>> MovingCracks::tips() const {
   return result;
 }
 
-bool MovingCracks::stays(const MovingTip& tip, double G, double K1) const {
+bool MovingCracks::stays(const MovingTip& tip, double G, const Factors& factors) const {
   const bool long_enough = growth_.reached(geometry::length(paths_[tip.tip.crack].vertices));
+  const double h = problem_.section.thickness;
   return growth_.held(tip.tip.position) || long_enough || pieces_.size() >= growth_.max_advances || G < toughness_ ||
-         (growth_.tension_only && K1 <= 0);
+         (growth_.tension_only && factors.K1 + h / 6 * factors.N1 <= 0) || pressed(factors, h);
 }
 
 /// False: the tip stops, because its direction is not resolved.
@@ -225,36 +237,43 @@ void MovingCracks::before_force(const plate::Step& now) {
     const double end = running.begin + running.duration;
     if (share >= 1 && arrive(tip, now)) departures.push_back({i, 0, end});
   }
-  std::erase_if(departures, [&](const auto& one) { return stays(tips_[one.tip], toughness_, 1); });
+  std::erase_if(departures, [&](const auto& one) { return stays(tips_[one.tip], toughness_, {1, 0, 0}); });
   depart(departures);
 }
 
 void MovingCracks::after_force(const plate::Step& now, const plate::Forces& force) {
   const auto& elastic_supports = plate_.base().elastic_supports();
-  plate::Forces
-      own;  // where there are elastic supports, without these; where the plate is distributed, with those of others
+  // where there are elastic supports, without these; where the plate is distributed, with those of others
+  plate::Forces own, in_plane;
+  plate::State bent, plane;  // where loads act in the plane
   std::vector<std::pair<std::size_t, TipMeasurement>> looked;
   bool any = false;  // does one of them start?
   for (std::size_t i = 0; i < tips_.size(); ++i) {
     auto& tip = tips_[i];
     if (tip.running || tip.ended || now.step < tip.next_look) continue;
+    if (membrane_ && own.size() == 0) {
+      bent = plate::of_plate(now.state), plane = plate::of_plane(now.state);
+      own = plate::of_plate(force), in_plane = plate::of_plane(force);
+      elastic_supports.take_force(bent, own);
+    }
     if ((plate_.map().distributed() || !elastic_supports.parts().empty()) && own.size() == 0) {
       own = force;
       elastic_supports.take_force(now.state, own);
       plate_.constraints().fetch(own);
     }
-    const TipMeasurement seen = look(tip, now.state, own.size() > 0 ? own : force);
+    const TipMeasurement seen = look(
+        tip, membrane_ ? Strained{bent, own, &plane, &in_plane} : Strained{now.state, own.size() > 0 ? own : force});
     tip.ended = !seen.fits;
     if (tip.ended) continue;
     tip.next_look = now.step + look_every;
     tip.since_look = 0;
-    any |= !stays(tip, seen.G, seen.factors.K1);
+    any |= !stays(tip, seen.G, seen.factors);
     looked.emplace_back(i, seen);
   }
   std::vector<Departure> departures;
   for (const auto& [i, seen] : looked) {
     double angle = 0;
-    if (any && !stays(tips_[i], seen.G * (1 + alike), seen.factors.K1) && finds_direction(i, seen, now.time, angle))
+    if (any && !stays(tips_[i], seen.G * (1 + alike), seen.factors) && finds_direction(i, seen, now.time, angle))
       departures.push_back({i, angle, now.time});
   }
   depart(departures);

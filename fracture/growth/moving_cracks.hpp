@@ -44,8 +44,9 @@ struct StoppedTip {
 class MovingCracks : public plate::Changes {
 public:
   /// Constructs growth in motion; all references must outlive this. `paths`: the cracks at the start [length].
+  /// `membrane`: the problem in the plane, of a plate that has one.
   MovingCracks(const Growth& growth, const plate::Problem& problem, DamagedPlate& plate,
-               std::vector<geometry::CrackPath> paths);
+               std::vector<geometry::CrackPath> paths, const plate::Problem* membrane = nullptr);
 
   void before_force(const plate::Step& now) override;
   void after_force(const plate::Step& now, const plate::Forces& force) override;
@@ -82,14 +83,19 @@ private:
       archive(breakage, begin, duration, length, spent, from, way);
     }
   };
+  /// Energy release rate of a tip, in bending and in the plane.
+  struct Gauge {
+    post::TipMethods bending;
+    std::optional<post::TipMethods> in_plane;
+  };
   struct MovingTip {
     geometry::Tip tip;
     double speed;
-    double length = 0, spent = 0;                        // of all pieces
-    std::deque<std::pair<double, double>> recent = {};   // lengths and energies of the last ones
-    double since_look = 0;                               // length gone without a look at the factors
-    std::size_t next_look = 0;                           // step
-    std::shared_ptr<const post::TipMethods> gauge = {};  // of the tip where it is
+    double length = 0, spent = 0;                       // of all pieces
+    std::deque<std::pair<double, double>> recent = {};  // lengths and energies of the last ones
+    double since_look = 0;                              // length gone without a look at the factors
+    std::size_t next_look = 0;                          // step
+    std::shared_ptr<const Gauge> gauge = {};            // of the tip where it is
     std::optional<Running> running = {};
     bool ended = false;
 
@@ -111,9 +117,16 @@ private:
     std::size_t tip;
     double angle, time;
   };
-  TipMeasurement look(MovingTip& tip, const plate::State& state, const plate::Forces& force) const;
-  std::shared_ptr<const post::TipMethods> gauge(const geometry::Tip& tip) const;
-  bool stays(const MovingTip& tip, double G, double K1) const;
+  /// State and internal force of the plate, and of its plane where loads act there.
+  struct Strained {
+    const plate::State& state;
+    const plate::Forces& force;
+    const plate::State* in_plane = nullptr;
+    const plate::Forces* force_in_plane = nullptr;
+  };
+  TipMeasurement look(MovingTip& tip, const Strained& now) const;
+  std::shared_ptr<const Gauge> gauge(const geometry::Tip& tip) const;
+  bool stays(const MovingTip& tip, double G, const Factors& factors) const;
   bool finds_direction(std::size_t tip, const TipMeasurement& seen, double time, double& angle);
   std::vector<std::optional<TipAdvance>> ways_of(const std::vector<Departure>& departures);
   void depart(const std::vector<Departure>& departures);
@@ -124,6 +137,7 @@ private:
 
   const Growth& growth_;
   const plate::Problem& problem_;
+  const plate::Problem* membrane_;
   DamagedPlate& plate_;
   std::vector<geometry::CrackPath> paths_;
   double spacing_, toughness_, speed_limit_;

@@ -15,11 +15,12 @@
 namespace fracture {
 
 MovingGrowth::MovingGrowth(const Growth& growth, const plate::Formulation& start,
-                           std::optional<post::SrifOptions> factors, double rotary_inertia)
+                           std::optional<post::SrifOptions> factors, double rotary_inertia,
+                           const plate::Formulation* membrane)
     : growth_(growth),
       start_(start),
-      plate_(*start.breaking(), start.boundary(), {start.section(), start.discretization()},
-             overlap_of_growth(start, factors || !growth.by_bonds())),
+      plate_(start, membrane, overlap_of_growth(start, factors || !growth.by_bonds())),
+      membrane_(membrane),
       options_(std::move(factors)),
       rotary_inertia_(rotary_inertia) {
   record_.in_motion = true;
@@ -37,21 +38,30 @@ plate::Changes& MovingGrowth::changes() {
 }
 
 std::vector<post::Srif> MovingGrowth::factors(const plate::State& state) const {
+  return factors(start_, plate_, state);
+}
+
+std::vector<post::Srif> MovingGrowth::factors_in_plane(const plate::State& state) const {
+  return factors(*membrane_, *plate_.plane(), state);
+}
+
+std::vector<post::Srif> MovingGrowth::factors(const plate::Formulation& start, const DamagedPlate& plate,
+                                              const plate::State& state) const {
   std::vector<post::Srif> result;
   if (!options_) return result;
   plate::Forces force;
-  plate_.internal_force(state, force);
-  start_.boundary().elastic_supports.take_force(state, force);
-  plate_.constraints().fetch(force);
+  plate.internal_force(state, force);
+  start.boundary().elastic_supports.take_force(state, force);
+  plate.constraints().fetch(force);
   const auto now = paths();
-  const auto view = plate_.tip_view();
+  const auto view = plate.tip_view();
   for (const auto& [number, tip] : tips()) {
-    if (!plate_.here(tip.position)) continue;
-    const auto methods = post::tip_methods(view, start_.problem(), now, tip, *options_);
+    if (!plate.here(tip.position)) continue;
+    const auto methods = post::tip_methods(view, start.problem(), now, tip, *options_);
     if (!methods) continue;  // an edge or another crack is too near
     for (auto& srif : (*methods)(state, force, false)) {
       srif.tip = number;
-      post::normalize(srif, *options_, start_.section().thickness);
+      post::normalize(srif, *options_, start.section().thickness);
       result.push_back(std::move(srif));
     }
   }
@@ -67,9 +77,10 @@ MovingGrowthOutcome MovingGrowth::outcome_so_far() const {
 }
 
 std::unique_ptr<MovingGrowth> moving_growth(const Growth& growth, const plate::Formulation& start,
-                                            std::optional<post::SrifOptions> factors, double rotary_inertia) {
+                                            std::optional<post::SrifOptions> factors, double rotary_inertia,
+                                            const plate::Formulation* membrane) {
   if (growth.by_bonds()) return std::make_unique<MovingBonds>(growth, start, std::move(factors), rotary_inertia);
-  return std::make_unique<MovingTips>(growth, start, std::move(factors), rotary_inertia);
+  return std::make_unique<MovingTips>(growth, start, std::move(factors), rotary_inertia, membrane);
 }
 
 namespace {
@@ -171,9 +182,9 @@ void MovingBonds::restore(plate::InArchive& archive) {
 }
 
 MovingTips::MovingTips(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-                       double rotary_inertia)
-    : MovingGrowth(growth, start, std::move(factors), rotary_inertia),
-      cracks_(growth, start.problem(), plate_, start.paths()) {}
+                       double rotary_inertia, const plate::Formulation* membrane)
+    : MovingGrowth(growth, start, std::move(factors), rotary_inertia, membrane),
+      cracks_(growth, start.problem(), plate_, start.paths(), membrane ? &membrane->problem() : nullptr) {}
 
 const Record& MovingTips::record() {
   record_ = {};

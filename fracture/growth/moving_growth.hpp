@@ -16,13 +16,15 @@ namespace fracture {
 /// Cracks that grow while the plate moves: the plate whose bonds they break, and what is recorded of them.
 class MovingGrowth {
 public:
-  /// `start`: of a formulation whose bonds break. `factors`: where intensity factors are wanted. All references must
-  /// outlive this.
+  /// `start`: of a formulation whose bonds break. `factors`: where intensity factors are wanted. `membrane`: the same
+  /// points in their plane, where loads act there: steps have stacked() states then. All references must outlive this.
   MovingGrowth(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-               double rotary_inertia);
+               double rotary_inertia, const plate::Formulation* membrane = nullptr);
   virtual ~MovingGrowth() = default;
 
   const plate::Operator& plate() const { return plate_; }
+  /// The plate in its plane; null where no loads act there.
+  const DamagedPlate* plane() const { return plate_.plane(); }
   const plate::Constraints& constraints() const { return plate_.constraints(); }
   plate::Changes& changes();
   virtual double fracture_energy() const = 0;
@@ -34,6 +36,8 @@ public:
   /// Factors of the tips where they are now, of those that this process has, by the methods that are wanted; none of
   /// tips beside edges and other cracks.
   std::vector<post::Srif> factors(const plate::State& state) const;
+  /// Likewise of the plate in its plane: N1 and N2 as K1 and K2.
+  std::vector<post::Srif> factors_in_plane(const plate::State& state) const;
   /// The cells, cut along the cracks; sets the frame's resultants, damage and cracks. `factors`: of the tips.
   plate::Mesh draw(post::Frame& frame, const plate::State& state, const std::vector<post::Srif>& factors) {
     frame.cracks = record().cracks;
@@ -70,14 +74,20 @@ protected:
   Record record_;
 
 private:
+  /// `start`, `plate`: before bonds broke and now.
+  std::vector<post::Srif> factors(const plate::Formulation& start, const DamagedPlate& plate,
+                                  const plate::State& state) const;
+
+  const plate::Formulation* membrane_;
   std::optional<post::SrifOptions> options_;
   double rotary_inertia_;
   std::optional<DetachedPieces> detached_pieces_;
 };
 
-/// Constructs the growth that the criterion needs.
+/// Constructs the growth that the criterion needs. `membrane`: of tips alone, single bonds take no loads in the plane.
 std::unique_ptr<MovingGrowth> moving_growth(const Growth& growth, const plate::Formulation& start,
-                                            std::optional<post::SrifOptions> factors, double rotary_inertia);
+                                            std::optional<post::SrifOptions> factors, double rotary_inertia,
+                                            const plate::Formulation* membrane = nullptr);
 
 /// Bonds that break while a plate moves (theory.md, "Bonds that break"). Called in every step.
 class BreakingBonds : public plate::Changes {
@@ -151,7 +161,7 @@ private:
 class MovingTips : public MovingGrowth {
 public:
   MovingTips(const Growth& growth, const plate::Formulation& start, std::optional<post::SrifOptions> factors,
-             double rotary_inertia);
+             double rotary_inertia, const plate::Formulation* membrane = nullptr);
 
   double fracture_energy() const override { return cracks_.fracture_energy(); }
   void look(double) override {}

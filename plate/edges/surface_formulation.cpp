@@ -238,7 +238,6 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
   return {{Feature::layers, nodes + " hold edges, not layers"},
           {Feature::any_direction, nodes + " are of edges along the axes"},
           {Feature::stretching, asymmetric + "loads in the plane act on bending with boundary = \"images\""},
-          {Feature::growth_in_plane, "growth under loads in the plane was measured of the Galerkin plate alone"},
           {Feature::touching_faces, asymmetric + "contact of crack faces is found with boundary = \"images\""},
           {Feature::moving_faces, asymmetric + "motion on it would grow"},
           {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},

@@ -9,4 +9,10 @@ void Operator::internal_force_overlapped(const State& state, PendingExchange& re
   internal_force(state, forces);
 }
 
+double half_work(const Operator& plate, const State& state) {
+  Forces forces;
+  plate.internal_force(state, forces);
+  return -forces.cwiseProduct(state).sum() / 2;
+}
+
 }  // namespace plate

@@ -25,6 +25,9 @@ public:
   virtual Forces diagonal() const = 0;
 };
 
+/// Strain energy of a state by the work of its forces, of one process.
+double half_work(const Operator& plate, const State& state);
+
 /// An approximate inverse of the stiffness on its free degrees of freedom, symmetric and positive.
 class Preconditioner {
 public:

@@ -81,18 +81,17 @@ enum class Feature {
   levels,         // preconditioner "levels"
   factor,         // the plate itself, factorised
   single_precision,
-  lanczos,          // motion by Lanczos vectors
-  symmetry,         // of the stiffness: iterations, motion and frequencies
-  breaking_bonds,   // bonds that break one by one
-  running_tips,     // tips that run while the plate moves
-  sections,         // that vary or have directions
-  stiffeners,       // beams on the plate
-  in_plane,         // loads and displacements in the plane, at rest
-  stretching,       // what couples both: large deflections, buckling; motion, frequencies under loads there
-  touching_faces,   // of cracks: contact
-  growth_in_plane,  // growth of cracks under loads there
-  hubs_in_holes,    // rigid discs that fill holes
-  moving_faces      // contact of cracks in motion
+  lanczos,         // motion by Lanczos vectors
+  symmetry,        // of the stiffness: iterations, motion and frequencies
+  breaking_bonds,  // bonds that break one by one
+  running_tips,    // tips that run while the plate moves
+  sections,        // that vary or have directions
+  stiffeners,      // beams on the plate
+  in_plane,        // loads and displacements in the plane, at rest
+  stretching,      // what couples both: large deflections, buckling; motion, frequencies under loads there
+  touching_faces,  // of cracks: contact
+  hubs_in_holes,   // rigid discs that fill holes
+  moving_faces     // contact of cracks in motion, or that grow
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

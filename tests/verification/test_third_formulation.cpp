@@ -152,7 +152,6 @@ const plate::FormulationKind bare{"bare_bonds",
                                    {Feature::stretching, "it has no plane"},
                                    {Feature::touching_faces, "it has no plane"},
                                    {Feature::moving_faces, "it has no plane"},
-                                   {Feature::growth_in_plane, "it has no plane"},
                                    {Feature::breaking_bonds, "its bonds hold"},
                                    {Feature::running_tips, "its bonds hold"}},
                                   bare_bonds};

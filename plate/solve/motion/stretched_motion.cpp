@@ -29,9 +29,11 @@ Forces mass_in_plane(const Formulation& plate) {
 
 }  // namespace
 
-StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary)
+StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary,
+                                 std::optional<Growing> growing)
     : plate_(plate),
       membrane_(membrane),
+      growing_(growing),
       constraints_(stacked(plate.constraints(), membrane.constraints(), plate.points())),
       unconstrained_mass_(stacked(plate::unconstrained_mass(plate, rotary), mass_in_plane(plate))) {
   if (plate.problem().stretches) stretching_ = membrane.stretching();
@@ -54,11 +56,11 @@ void StretchedMotion::internal_force(const State& state, Forces& forces) const {
   if (linear_ && !stretching_) return linear_->internal_force(state, forces);
   const State bending = of_plate(state), membrane = of_plane(state);
   Forces on_bending, on_membrane, stretched;
-  plate_.internal_force(bending, on_bending);
+  (growing_ ? growing_->plate : plate_).internal_force(bending, on_bending);
   if (stretching_)
     stretching_->internal_force(bending, membrane, stretched, on_membrane), on_bending += stretched;
   else
-    membrane_.internal_force(membrane, on_membrane);
+    (growing_ ? growing_->membrane : membrane_).internal_force(membrane, on_membrane);
   forces = stacked(on_bending, on_membrane);
 }
 
@@ -113,6 +115,7 @@ Forces StretchedMotion::load_in_plane(double time) const {
 
 double StretchedMotion::energy_in_plane(const State& state) const {
   const State membrane = of_plane(state);
+  if (growing_) return half_work(growing_->membrane, membrane);
   if (stretching_) return membrane_.sum_of_points(stretching_->energies(of_plate(state), membrane));
   const double alone = membrane_.strain_energy(membrane);
   return linear_ ? alone + of_plate(state).cwiseProduct(product(coupling_, membrane)).sum() : alone;

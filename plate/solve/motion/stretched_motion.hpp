@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
@@ -20,8 +21,15 @@ struct Analysis;
 /// plate is coupled (theory.md, "Coupled sections").
 class StretchedMotion : public Operator {
 public:
-  /// Both must outlive this. `rotary`: factor of the rotary inertia.
-  StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary);
+  /// Stiffness of a plate and its plane while their cracks grow.
+  struct Growing {
+    const Operator &plate, &membrane;
+  };
+
+  /// All must outlive this. `rotary`: factor of the rotary inertia; `growing`: in place of the stiffness of both, of a
+  /// plate whose plane does not stretch.
+  StretchedMotion(const Formulation& plate, const Formulation& membrane, double rotary,
+                  std::optional<Growing> growing = {});
   ~StretchedMotion() override;
 
   std::size_t points() const override;
@@ -70,6 +78,7 @@ public:
 private:
   const Formulation& plate_;
   const Formulation& membrane_;
+  std::optional<Growing> growing_;
   PointMatrix coupling_;                    // without points where bending and stretching are not coupled
   std::unique_ptr<const Operator> linear_;  // the stiffness where they are
   Constraints constraints_;

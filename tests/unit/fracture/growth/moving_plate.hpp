@@ -1,10 +1,12 @@
 #pragma once
 #include <sstream>
 
+#include "cases/driver/prepared.hpp"
 #include "fracture/growth/moving_growth.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/stretched_motion.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
@@ -24,12 +26,15 @@ inline cases::Case content(Growth::Criterion criterion) {
   return c;
 }
 
+/// The plate; the plate and its plane where loads act there.
 struct Motion {
   explicit Motion(cases::Case of) : c(std::move(of)) {}
   cases::Case c;
-  std::unique_ptr<plate::Formulation> start = verified_plate::assembled(c);
+  plate::Discretised found = cases::discretised({c, {}});
+  const plate::Formulation* start = found.plate.get();
   plate::Forces mass = start->mass();
-  double time_step = 0.8 * plate::stable_time_step(*start, start->constraints(), mass);
+  double time_step = 0.8 * (found.membrane ? plate::stable_time_step(*start, *found.membrane, 1)
+                                           : plate::stable_time_step(*start, start->constraints(), mass));
 
   struct Energies {
     double work = 0, energy = 0;  // since the first instant; strain and kinetic, as central differences count them
@@ -38,6 +43,17 @@ struct Motion {
   /// Moves up to this step, or on from a memory; `save` sees that before every step.
   Energies move(MovingGrowth& growth, std::size_t steps, const plate::MotionCheckpoint* from = nullptr,
                 const SaveMotion& save = {}) const {
+    if (!found.membrane)
+      return move(growth, growth.plate(), start->constraints(), mass, start->loads(), steps, from, save);
+    const plate::StretchedMotion both(*start, *found.membrane, 1,
+                                      plate::StretchedMotion::Growing{growth.plate(), *growth.plane()});
+    return move(growth, both, both.constraints(), both.mass(), both.loads(), steps, from, save);
+  }
+
+private:
+  Energies move(MovingGrowth& growth, const plate::Operator& stiffness, const plate::Constraints& constraints,
+                const plate::Forces& all_mass, const std::vector<plate::TimedLoad>& loads, std::size_t steps,
+                const plate::MotionCheckpoint* from, const SaveMotion& save) const {
     Energies result;
     double first = 0;
     plate::DynamicOptions options;
@@ -45,13 +61,12 @@ struct Motion {
     options.changes = &growth.changes();
     options.from = from;
     if (save) options.due = [] { return true; }, options.save = save;
-    plate::central_differences(growth.plate(), start->constraints(), mass, start->loads(), options,
-                               [&](const plate::Instant& now) {
-                                 growth.look(now.time);
-                                 const double energy = now.strain_energy + now.discrete_kinetic_energy;
-                                 if (now.step == 0) first = energy - now.external_work;
-                                 result = {now.external_work, energy - first};
-                               });
+    plate::central_differences(stiffness, constraints, all_mass, loads, options, [&](const plate::Instant& now) {
+      growth.look(now.time);
+      const double energy = now.strain_energy + now.discrete_kinetic_energy;
+      if (now.step == 0) first = energy - now.external_work;
+      result = {now.external_work, energy - first};
+    });
     return result;
   }
 };

@@ -30,6 +30,31 @@ TEST_CASE("moving tips: a crack runs no faster than it may, and takes what the p
   CHECK(record.cracks.lines[0].vertices.size() == outcome.advances + 2);
 }
 
+TEST_CASE("moving tips: tension alone or beside bending drives them, and energies balance in both fields") {
+  auto c = mp::content(Growth::Criterion::energy_release);
+  const double traction = 60;
+  const bool bent = GENERATE(false, true);
+  c.growth->fracture_energy = 2000;
+  if (!bent) c.loads.clear();
+  c.loads.push_back(plate::Load{plate::EdgeTraction{.edges = {"bottom", "top"}, .value = traction}});
+  c.joined_with_plane = true;
+  const mp::Motion motion(c);
+  REQUIRE(motion.found.membrane);
+  const auto grown = [&] { return moving_growth(*motion.c.growth, *motion.start, {}, 1, motion.found.membrane.get()); };
+  const auto whole = grown(), later = grown();
+  plate::MotionCheckpoint memory;
+  const auto energies = motion.move(*whole, 500, nullptr, [&](const plate::MotionCheckpoint& now) {
+    if (now.step == 400) memory = now, mp::hand_over(*whole, *later);
+  });
+  const double fracture = whole->fracture_energy();
+  CAPTURE(bent, energies.work, energies.energy, fracture, whole->outcome().advances);
+  CHECK(whole->outcome().advances > 3);
+  CHECK(fracture > 0.001 * energies.work);
+  CHECK(energies.energy + fracture == Approx(energies.work).epsilon(1e-9));
+  motion.move(*later, 500, &memory);
+  CHECK(later->fracture_energy() == fracture);
+}
+
 TEST_CASE("moving tips: below its fracture energy a tip stays, and its plate is the one at the start") {
   auto c = mp::content(Growth::Criterion::energy_release);
   c.growth->fracture_energy = 1e6;
