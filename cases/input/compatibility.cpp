@@ -212,7 +212,7 @@ const std::vector<Exclusion> excluded_pairs{
     {load_in_plane, stiffness_damping, "analysis.damping",
      "damping by the stiffness does not act in the plane yet: give mass alone"},
     {load_in_plane, growth_of_bonds, "growth.criterion",
-     "single bonds that break in tension leave bridges, whose toughness is not known yet: choose \"energy_release\""},
+     "growth by single bonds in tension takes another energy than is asked for: choose \"energy_release\""},
     {growth_in_plane, frozen_pieces, "growth.fallen",
      "\"freeze\" holds pieces of plates that bend alone: choose \"move\""},
     {large_deflections_in_motion, mean_temperature, "analysis.nonlinear",
