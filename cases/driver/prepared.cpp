@@ -37,8 +37,7 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
 /// One process pins what no support holds in the plane of a plate with large deflections; several do not.
 void check_held_in_plane(const CaseFile& file, const plate::Discretised& plates, std::vector<Problem>& problems) {
   const Case& c = file.content;
-  const bool solved = c.stretches && (!c.moves() || (c.initial && c.initial->deflection.given()));
-  if (solved && plates.plate->distributed() && !plates.membrane->held())
+  if (c.stretches_at_first() && plates.plate->distributed() && !plates.membrane->held())
     problems.push_back({file.place("support"), "support",
                         "does not hold the plate in its plane, which several processes need for large deflections: set "
                         "in_plane, or run it by one (pdplate)"});

@@ -42,6 +42,8 @@ struct Case : plate::Problem {
 
   bool grows_at_rest() const { return growth && analysis.kind == Analysis::Kind::static_; }
   bool moves() const { return analysis.kind == Analysis::Kind::dynamic; }
+  /// True where the middle plane is solved for a given deflection: at rest, or at the begin of a motion.
+  bool stretches_at_first() const { return stretches && (!moves() || (initial && initial->deflection.given())); }
   bool si() const { return units == "SI"; }
 };
 

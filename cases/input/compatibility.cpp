@@ -25,7 +25,6 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {settlement, "a load of kind `\"settlement\"`"},
     {moving_load, "a load that moves (`path`, `speed`)"},
     {load_in_plane, "a load in the plane (`edge_traction`, `body_force`, `vector`, `mean`)"},
-    {motion_in_plane, "motion under loads in the plane"},
     {growth_in_plane, "`[growth]` under loads in the plane"},
     {large_deflections, "`analysis.nonlinear`"},
     {large_deflections_in_motion, "`analysis.nonlinear` of a motion"},
@@ -51,7 +50,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {growth, "`[growth]`"},
     {growth_of_bonds, "`[growth]` by single bonds"},
     {growth_of_bonds_at_rest, "`[growth]` by single bonds, at rest"},
-    {growth_of_heated_cracks_in_motion, "`[growth]` of tips in motion"},
+    {tips_in_motion, "`[growth]` of tips in motion"},
     {growth_by_displacement, "`growth.control` other than `\"load\"`"},
     {growth_from_rest_to_motion, "`growth.unstable = \"move\"`"},
     {frozen_pieces, "`growth.fallen = \"freeze\"`"},
@@ -171,7 +170,7 @@ const std::vector<Exclusion> excluded_pairs{
      "growth.fracture_energy is that of one isotropic section: remove [growth], or what makes the section vary"},
     {growth_of_bonds, temperature, "growth.criterion",
      "breaking single bonds takes no account of temperature: choose \"energy_release\""},
-    {growth_of_heated_cracks_in_motion, temperature, "growth",
+    {tips_in_motion, temperature, "growth",
      "growth in motion takes no account of temperature: let cracks grow at rest, with unstable = \"stop\" or \"jump\""},
     {growth_of_bonds, growth_from_rest_to_motion, "growth.unstable",
      "\"move\" needs crack tips that run on, and single broken bonds have none; choose \"stop\" or \"jump\""},
@@ -248,7 +247,7 @@ const std::vector<Exclusion> excluded_pairs{
      "\"central_difference\""},
     {touching_faces, stiffness_damping, "analysis.damping",
      "the stiffness changes where faces of cracks meet, and so would damping by it: give mass alone"},
-    {touching_faces, growth_of_heated_cracks_in_motion, "cracks.contact",
+    {touching_faces, tips_in_motion, "cracks.contact",
      "growth in motion takes no account of faces that touch: remove it, or let cracks grow at rest, with unstable = "
      "\"stop\" or \"jump\""},
     {touching_faces, unilateral_foundation, "cracks.contact",
@@ -332,7 +331,7 @@ void add_growth(const Case& content, AskedParts& add) {
   add(true, growth);
   add(bonds, growth_of_bonds);
   add(bonds && rests, growth_of_bonds_at_rest);
-  add(!bonds && (moves || to_motion), growth_of_heated_cracks_in_motion);
+  add(!bonds && (moves || to_motion), tips_in_motion);
   add(g.control != fracture::Growth::Control::load, growth_by_displacement);
   add(to_motion, growth_from_rest_to_motion);
   add(g.detached == fracture::Growth::Detached::freeze, frozen_pieces);
@@ -359,7 +358,6 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(any_load([](const auto& load) { return load.moves(); }), moving_load);
   const bool in_plane = any_load([](const auto& load) { return load.in_plane(); });
   add(in_plane, load_in_plane);
-  add((in_plane || content.coupled()) && moves, motion_in_plane);
   add(in_plane && content.growth, growth_in_plane);
   add(a.nonlinear, large_deflections);
   add(a.nonlinear && moves, large_deflections_in_motion);

@@ -24,7 +24,6 @@ enum class Part {
   settlement,
   moving_load,
   load_in_plane,
-  motion_in_plane,  // three that several processes do not run
   growth_in_plane,
   large_deflections,
   large_deflections_in_motion,
@@ -50,7 +49,7 @@ enum class Part {
   growth,
   growth_of_bonds,
   growth_of_bonds_at_rest,
-  growth_of_heated_cracks_in_motion,
+  tips_in_motion,
   growth_by_displacement,
   growth_from_rest_to_motion,
   frozen_pieces,

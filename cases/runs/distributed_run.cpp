@@ -57,7 +57,7 @@ std::vector<KeyError> errors_in_distribution(const Case& c, int processes) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
   constexpr double most_factorised = 1e6;  // points; MUMPS takes no more (plate/distributed)
-  refuse(c.stretches && !c.moves() && 2 * expected_points(c) > most_factorised, "analysis.nonlinear",
+  refuse(c.stretches_at_first() && 2 * expected_points(c) > most_factorised, "analysis.nonlinear",
          "large deflections of so many points cannot be found");
   refuse(c.analysis.method == plate::Analysis::Method::direct && expected_points(c) > most_factorised,
          "analysis.method", "\"direct\" of so many points cannot be run");

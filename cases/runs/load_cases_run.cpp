@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "cases/runs/analyses.hpp"
@@ -164,6 +165,7 @@ private:
   std::unique_ptr<const plate::ContactOfFaces> contact_;    // where faces of cracks may touch, without them
   std::vector<post::LoadCaseSummary> found_;
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
+  std::vector<std::vector<std::string>> of_planes_;        // warnings of the same
   post::Table srifs_{post::srif_columns(), {}}, reactions_, faces_;
   std::vector<std::string> warnings_;
 };
@@ -264,8 +266,10 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   const auto& now = *known.in_plane;
   const auto where = fmt::format("in the plane, {}", one.name);
   const MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods};
+  of_planes_.emplace_back();
   if (known.curved) {
     auto result = membrane_results(plate_, membrane, *known.curved, now.load, now.heat, wanted, where);
+    of_planes_.back() = result.warnings;
     factors_in_plane_.push_back(result.factors);
     return result;
   }
@@ -279,6 +283,7 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
   if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
   factors_in_plane_.push_back(result.factors);
   result.summary.residual = now.residual;
+  of_planes_.back() = result.warnings;
   std::vector<std::string> warnings;
   if (const double work = result.summary.external_work - result.stored;
       now.acts && now.heat.none() && !post::moves(now.state, work, membrane))
@@ -305,6 +310,7 @@ std::vector<std::string> LoadCases::warnings() const {
   const double h = plate_.section().thickness;
   std::vector<double> largest(plate_.tips().size(), 0);  // factors
   std::map<std::size_t, double> governing;               // the largest utilisation of every tip
+  std::set<std::size_t> told;                            // tips
   for (const auto& one : found_) {
     take(largest, one.srif, h);
     for (const auto& [tip, share] : utilisations(one)) governing[tip] = std::max(governing[tip], share);
@@ -312,7 +318,8 @@ std::vector<std::string> LoadCases::warnings() const {
   std::vector<std::string> result;
   for (const auto& one : found_)  // what governs comes first
     for (const auto& [tip, share] : utilisations(one))
-      if (share == governing[tip]) post::tell_growth(tip, share, fmt::format(" in {}", one.name), result);
+      if (share == governing[tip] && told.insert(tip).second)
+        post::tell_growth(tip, share, fmt::format(" in {}", one.name), result);
   std::set<std::string> warned;  // what about
   const auto tell = [&](const std::string& name, const std::vector<std::string>& said) {
     for (const auto& text : said) {
@@ -327,13 +334,15 @@ std::vector<std::string> LoadCases::warnings() const {
     for (auto& text : post::warnings_about_factors(loaded, {}, h, plate_.remedy())) said.push_back(std::move(text));
     for (auto& text : post::sinking_supports(one.reactions, plate_.problem(), largest_deflection(one)))
       said.push_back(std::move(text));
-    if (one.reactions && one.reactions->largest_residual > close)
+    const auto soft = post::unbalanced_hubs(one.reactions, plate_.problem());
+    std::ranges::copy(soft, std::back_inserter(said));
+    if (one.reactions && soft.empty() && one.reactions->largest_residual > close)
       said.push_back(
           fmt::format("the reactions balance the loads to {:.2g} % only", 100 * one.reactions->largest_residual));
     tell(one.name, said);
     if (!ready_.membrane) continue;
-    const bool may_touch = !content().coupled() && plate_.offers(plate::Feature::touching_faces);
-    if (!one.contact) tell(one.name, warnings_about_overlaps(one.srif, may_touch));
+    if (!one.contact) tell(one.name, warnings_about_overlaps(one.srif, may_touch(content(), plate_)));
+    tell(one.name, of_planes_[i]);
   }
   return result;
 }
@@ -371,7 +380,8 @@ void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now)
   summary.load_steps.columns = steps.columns;
   for (auto& row : steps.rows) row.emplace_back(one.name), summary.load_steps.rows.push_back(std::move(row));
   const double stored = plate::stored(*ready_.membrane, plane.heat, found.membrane);
-  for (const auto& line : warnings_about(found, stored)) warnings_.push_back(fmt::format("{}: {}", one.name, line));
+  for (const auto& line : warnings_about(found, stored, content()))
+    warnings_.push_back(fmt::format("{}: {}", one.name, line));
   if (!found.converged)
     throw plate::NumericalError(fmt::format("{}, large deflections: {}", one.name, found.stop_reason));
   now.state = found.bending, now.in_plane->state = found.membrane;

@@ -64,8 +64,7 @@ std::vector<std::string> warnings_about_pins(const plate::Formulation& membrane,
       if (!(share > worst)) continue;
       worst = share;
       result = {
-          fmt::format("{} pulls with {:.3g} at {:.2g} from tip {}, whose N1 and N2 depend on it; set "
-                      "support[{}].points away from tips",
+          fmt::format("{} pulls with {:.3g} at {:.2g} from tip {} and changes its N1, N2; move support[{}].points",
                       holder.name, force, away, one->tip, holder.support)};
     }
   }
@@ -173,17 +172,19 @@ post::Table load_steps(const std::vector<plate::LoadStep>& steps, plate::LoadCon
   return table;
 }
 
-std::vector<std::string> warnings_about(const plate::LargeDeflections& found, double stored) {
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found, double stored, const Case& c) {
   constexpr double coarse = 0.05, rounding = 1e-9;
+  const bool follows = c.load_cases.empty() && !c.faces_touch();  // paths by arc length
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const auto& step = found.steps[i];
     const double before = i == 0 ? 0 : found.steps[i - 1].factor;
-    if (step.snapped)
-      lines.push_back(
-          fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: analysis.control = \"arc_length\" finds "
-                      "the states between; see load_steps.csv",
-                      before, step.factor));
+    if (step.snapped && step.factor == 0)
+      lines.emplace_back("the plate snaps under the constant loads: raise them in steps, or see load_steps.csv");
+    else if (step.snapped)
+      lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: {}see load_steps.csv",
+                                  before, step.factor,
+                                  follows ? "analysis.control = \"arc_length\" finds the states between; " : ""));
   }
   if (!found.steps.empty() && !found.steps.back().stable)
     lines.emplace_back("the equilibrium is not stable: give the plate a small load across it");
@@ -376,15 +377,17 @@ std::string of_plane(std::string warning) {
   return "in the plane: " + warning;
 }
 
-std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis) {
+std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis,
+                                                      const plate::State* known) {
   constexpr double tolerance = 1e-8;
   std::vector<std::string> result;
   if (membrane.tips().empty()) return result;
   analysis.tolerance = tolerance;
   const std::optional<post::SrifOptions> options{std::in_place};
   const auto methods = post::tip_methods(membrane, *options);
-  const auto at_rest = membrane_at_rest(membrane, analysis, {options, methods});
-  for (const auto* one : post::recommended(at_rest.factors))
+  const auto factors = known ? post::srifs(membrane, *options, methods, *known)
+                             : membrane_at_rest(membrane, analysis, {options, methods}).factors;
+  for (const auto* one : post::recommended(factors))
     if (one->resolved[0] && one->K1 < -one->errors[0].value_or(0))
       result.push_back(
           fmt::format("tip {} ({:.4g}, {:.4g}): loads press the faces of the crack together, which do not "
@@ -398,6 +401,12 @@ std::vector<std::string> warnings_about_rotations(double largest) {
   if (largest <= moderate) return {};
   return {fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; reduce the loads", largest,
                       moderate)};
+}
+
+bool may_touch(const Case& c, const plate::Formulation& plate) {
+  const bool moves = c.moves() || c.growth;
+  return !c.coupled() && !plate.distributed() && (!c.growth || c.grows_at_rest()) &&
+         plate.offers(moves ? plate::Feature::moving_faces : plate::Feature::touching_faces);
 }
 
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch) {

@@ -110,7 +110,7 @@ post::Table load_steps(const std::vector<plate::LoadStep>& steps, plate::LoadCon
 
 /// Warnings about an equilibrium with large deflections that was not reached as loads grow, is not stable, or is beyond
 /// the theory. `stored`: by heat.
-std::vector<std::string> warnings_about(const plate::LargeDeflections& found, double stored);
+std::vector<std::string> warnings_about(const plate::LargeDeflections& found, double stored, const Case& c);
 
 /// Checks a solution of a plate in its plane.
 /// @throws plate::NumericalError  no equilibrium within the tolerance, or a number is not finite
@@ -149,9 +149,11 @@ void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const pla
 /// A warning of post about factors of a plate in its plane, whose K1 and K2 are N1 and N2.
 std::string of_plane(std::string warning);
 
-/// Warnings about cracks whose faces loads in the plane press together: without contact they are taken as free.
+/// Warnings about cracks whose faces loads in the plane press together: without contact they are taken as free. `known`:
+/// the plane under these loads.
 /// @throws plate::NumericalError  as membrane_at_rest()
-std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis);
+std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis,
+                                                      const plate::State* known = nullptr);
 
 /// Warning about rotations to which von Karman's strains do not hold.
 std::vector<std::string> warnings_about_rotations(double largest);
@@ -159,5 +161,8 @@ std::vector<std::string> warnings_about_rotations(double largest);
 /// Warnings about tips at which the faces of the crack overlap at z > 0, by bending and membrane forces together.
 /// `may_touch`: the run could find their contact.
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch);
+
+/// True where `contact = true` would be taken by a case as it is.
+bool may_touch(const Case& c, const plate::Formulation& plate);
 
 }  // namespace cases

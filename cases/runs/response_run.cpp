@@ -175,10 +175,11 @@ plate::FrequencySolution FrequencyRun::solution(const plate::FrequencyOptions& o
   const auto& analysis = content().analysis;
   const auto* membrane = ready_.membrane.get();
   if (content().coupled()) {
-    const bool loaded = plate::loaded_in_plane(content());
-    const auto geometric = loaded ? plate::coupled_prestress(plate_, *membrane).geometric : plate::PointMatrix();
-    return plate::coupled_frequencies(plate_, *membrane, analysis.rotary_inertia, loaded ? &geometric : nullptr,
-                                      options);
+    if (!plate::loaded_in_plane(content()))
+      return plate::coupled_frequencies(plate_, *membrane, analysis.rotary_inertia, nullptr, options);
+    const auto [at_rest, geometric] = plate::coupled_prestress(plate_, *membrane);
+    outputs_.warn(warnings_about_pressed_faces(*membrane, analysis, &at_rest.membrane));
+    return plate::coupled_frequencies(plate_, *membrane, analysis.rotary_inertia, &geometric, options);
   }
   const auto mass = plate_.mass(analysis.rotary_inertia);
   if (!membrane) return plate::frequencies(plate_, plate_.constraints(), mass, options);

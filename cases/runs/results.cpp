@@ -227,8 +227,7 @@ void Results::finish() {
     overlaps.clear();
     outputs_.warn(in_plane_->warnings);
     if (!content().faces_touch()) {
-      const bool may_touch = !content().coupled() && plate_.offers(plate::Feature::touching_faces);
-      outputs_.warn(warnings_about_overlaps(summary.srif, may_touch));
+      outputs_.warn(warnings_about_overlaps(summary.srif, may_touch(content(), plate_)));
     }
   }
   outputs_.warn(post::warnings_about_faces(overlaps, section,

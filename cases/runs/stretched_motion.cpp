@@ -167,7 +167,9 @@ void StretchedMotionRun::conclude(const plate::Instant& both, const plate::Insta
                     {"kinetic", now.kinetic_energy},
                     {"external_work", results_.external_work()}};
   if (content().coupled()) summary.energy.emplace_back("coupling", coupling);
-  add_elastic_support_energy(plate_, now.state, summary);
+  // of beams that act in the plane this would be a part only
+  if (std::ranges::none_of(content().stiffeners, &plate::Stiffener::stretches))
+    add_elastic_support_energy(plate_, now.state, summary);
   if (content().analysis.damping || now.faces) summary.energy.emplace_back("dissipated", now.dissipated);
   if (now.faces) summary.energy.emplace_back("contact", now.contact_so_far.lost);
   const plate::State membrane = plate::of_plane(both.state);

@@ -78,7 +78,7 @@ void LargeDeflectionRun::solve() {
   about.residual = found.steps.empty() ? 0 : found.steps.back().residual, about.stop_reason = found.stop_reason;
   summary.load_steps = load_steps(found.steps, analysis.control);
   summary.scene.push_back({"factor", "", double(found.factor_bytes) / double(plate_.cloud().plate_points), 0});
-  auto in_plane = membrane_results(plate_, membrane, found, loads.in_plane, heat,
+  auto in_plane = membrane_results(plate_, membrane, found, membrane.total_load(), heat,
                                    {content().srif, ready_.membrane_methods}, "in the plane");
   const double strain = found.strain_energy() + in_plane.stored, work = found.external_work + in_plane.stored;
   plate::Instant end{found.iterations, 0, found.bending, {}, 0, work, strain, 0, 0};
@@ -97,7 +97,7 @@ void LargeDeflectionRun::solve() {
   if (content().coupled()) summary.energy.emplace_back("coupling", found.coupling_energy);
   if (strain == 0 && found.converged)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, found.external_work, summary.warnings);
-  outputs_.warn(warnings_about(found, stored));
+  outputs_.warn(warnings_about(found, stored, content()));
   if (!found.converged) throw plate::NumericalError("large deflections: " + found.stop_reason);
 }
 
@@ -221,6 +221,7 @@ plate::PointMatrix BucklingRun::coupled_prestress() {
   const auto& membrane = *ready_.membrane;
   const std::optional<post::SrifOptions> no_factors;
   auto [at_rest, geometric] = plate::coupled_prestress(plate_, membrane);
+  outputs_.warn(warnings_about_pressed_faces(membrane, content().analysis, &at_rest.membrane));
   const plate::PlateLoads loads{plate::zero_forces(plate_.points()), membrane.total_load()};
   summary().membrane =
       membrane_results(plate_, membrane, at_rest, loads, {no_factors, ready_.membrane_methods}, "in the plane").summary;

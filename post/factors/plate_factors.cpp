@@ -461,18 +461,15 @@ std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, 
   for (const auto* one : recommended(srifs)) {
     const auto& srif = *one;
     const auto place = fmt::format("tip {} ({:.4g}, {:.4g})", srif.tip, srif.position.x(), srif.position.y());
-    if (srif.G && *srif.G <= 0 && !srif.resolved[0]) {
-      warnings.push_back(fmt::format("{}: no intensity factors: energy release rate {:.3g} is not positive; {}", place,
-                                     *srif.G, remedy));
-      continue;
-    }
+    const char* lost = srif.membrane ? "no K1, K2, K3" : "no intensity factors";
+    std::vector<std::string> said;
+    if (srif.G && *srif.G <= 0 && !srif.resolved[0])
+      said.push_back(fmt::format("{}: energy release rate {:.3g} is not positive", lost, *srif.G));
     const double scale = std::max(largest_with_plane(srif, h), srif.tip < largest.size() ? largest[srif.tip] : 0);
-    if (scale == 0) continue;
-    if (of_opening(srif.method) && !srif.resolved[0]) {
-      warnings.push_back(
-          fmt::format("{}: no intensity factors: only the crack opening has enough points; {}", place, remedy));
-      continue;
-    }
+    if (scale > 0 && said.empty() && of_opening(srif.method) && !srif.resolved[0])
+      said.push_back(fmt::format("{}: only the crack opening has enough points", lost));
+    // tips that no method of bending has room at are told of elsewhere
+    const bool bends = said.empty() && (srif.resolved[0] || srif.errors[0]);
     Doubt none, some;
     const double reached = srif.accuracy_reached.value_or(0);
     const auto judge = [&](const std::string& name, bool resolved, const std::optional<double>& error, double arm) {
@@ -482,11 +479,10 @@ std::vector<std::string> warnings_about_factors(const std::vector<Srif>& srifs, 
       const bool as_asked = srif.accuracy_reached && reached <= uncertain;
       if (!as_asked && share > std::max(uncertain, reached * (1 + 1e-9))) some.add(name, share);
     };
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3 && bends && scale > 0; ++i)
       judge(fmt::format("K{}", i + 1), srif.resolved[i], srif.errors[i], i == 2 ? h : 1);
-    for (std::size_t i = 0; i < 2 && srif.membrane; ++i)
+    for (std::size_t i = 0; i < 2 && srif.membrane && scale > 0; ++i)
       judge(fmt::format("N{}", i + 1), srif.membrane->resolved[i], srif.membrane->errors[i], h / 6);
-    std::vector<std::string> said;
     for (const auto& words : {none.words("unresolved"), some.words("uncertain")})
       if (!words.empty()) said.push_back(words);
     if (!said.empty()) warnings.push_back(fmt::format("{}: {}; {}", place, fmt::join(said, ", "), remedy));

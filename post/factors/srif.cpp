@@ -84,14 +84,17 @@ double largest_with_plane(const Srif& srif, double thickness) {
 
 void resolve_together(Srif& srif, double thickness) {
   if (!srif.membrane) return;
-  const double enough = lost * largest_with_plane(srif, thickness);
-  const auto small = [&](const std::optional<double>& error, double arm) { return error && *error * arm <= enough; };
+  const double largest = largest_with_plane(srif, thickness);
+  const auto small = [&](const std::optional<double>& error, double arm, double share) {
+    return error && *error * arm <= share * largest;
+  };
   const auto positive = [](const std::optional<double>& G) { return !G || *G > 0; };
   auto& plane = *srif.membrane;
   for (std::size_t i = 0; i < 3 && positive(srif.G) && !of_opening(srif.method); ++i)
-    srif.resolved[i] = srif.resolved[i] || small(srif.errors[i], i == 2 ? thickness : 1);
+    srif.resolved[i] = srif.resolved[i] ||
+                       (i == 2 ? small(srif.errors[i], thickness, srif.lost_shear) : small(srif.errors[i], 1, lost));
   for (std::size_t i = 0; i < 2 && positive(plane.G); ++i)
-    plane.resolved[i] = plane.resolved[i] || small(plane.errors[i], thickness / 6);
+    plane.resolved[i] = plane.resolved[i] || small(plane.errors[i], thickness / 6, lost);
 }
 
 void widen(Srif& srif, const Srif& coarser, double thickness) {

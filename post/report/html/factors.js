@@ -16,7 +16,7 @@ function error_of(one) {
   const scaled = (name, x) => Math.abs(x) * (name === "K3" ? thickness : 1);
   const there = factor_names.filter(name => typeof one[name] === "number");
   const known = there.filter(name => typeof one[`estimated_error_${name}`] === "number");
-  const most = largest(there.map(name => scaled(name, one[name])));
+  const most = largest([...there.map(name => scaled(name, one[name])), ...["N1", "N2"].map(name => ((one[name] ?? 0) * thickness) / 6)]);
   if (known.length === 0 || most === 0) return one.estimated_error;
   return largest(known.map(name => scaled(name, one[`estimated_error_${name}`]))) / most;
 }
@@ -184,7 +184,7 @@ function probes_of_cases(all) {
 function contact_of_cases(all) {
   if (!all.some(one => one.contact)) return null;
   return [element("h3", {}, "Contact of crack faces"), table([{ title: "case", left: true }, { title: "closed, % of the length" }, { title: "largest pressure", unit: si ? "N/m" : "" }, { title: "least opening", unit: unit("length") }],
-    all.map((one, n) => [one.name, shown(100 * one.contact.closed_share, 3), value(`load_cases[${n}].contact.largest_pressure`, 4), value(`load_cases[${n}].contact.least_opening`, 4)]), { "data-table": "contact" })];
+    all.map((one, n) => [one.name, shown(100 * one.contact.closed_share, 3), value(`load_cases[${n}].contact.largest_pressure`, 4), value(`load_cases[${n}].contact.least_opening`, 4)]), { "data-table": "contact" }), plots(contact_plots())];
 }
 
 /** The largest factors of every tip, and the load case that gives each; how much of the toughness is taken comes first. */

@@ -68,7 +68,7 @@ function contact_section() {
     ["Closed", `${shown(100 * contact.closed_share, 3)} % of the length of the cracks`],
     ["Largest pressure", value("contact.largest_pressure", 4), ` ${si ? "N/m" : ""} along the crack`],
     ["Least opening", value("contact.least_opening", 4), si ? " m" : ""],
-  ]), plots(contact_plots()), note("contact.csv has every pair of points that face each other."));
+  ]), plots(contact_plots()), note("contact.csv has every place on the faces."));
 }
 
 function frequencies_section() {
