@@ -91,7 +91,7 @@ const Words<plate::Preconditioning> preconditioners{{{"auto", plate::Preconditio
 const Words<Analysis::Precision> precisions{
     {{"double", Analysis::Precision::double_}, {"mixed", Analysis::Precision::mixed}}};
 
-const Words<plate::LoadControl> controls{
+const Words<plate::LoadControl> load_controls{
     {{"load", plate::LoadControl::load}, {"arc_length", plate::LoadControl::arc_length}}};
 
 const Words<Analysis::Start> starts{
@@ -193,7 +193,7 @@ Field<Analysis> unless(Field<Analysis> field, Analysis::Method method) {
 }
 
 Field<Analysis> control() {
-  return choice<Analysis, plate::LoadControl>("control", &Analysis::control, controls,
+  return choice<Analysis, plate::LoadControl>("control", &Analysis::control, load_controls,
                                               "what a step of the loads holds: their factor, or the length of the "
                                               "path, which goes through limit points")
       .with({"nonlinear", "nonlinear = true", [](const Analysis& analysis) { return analysis.nonlinear; }})

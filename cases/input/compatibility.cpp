@@ -6,6 +6,7 @@
 
 #include "cases/input/case_file.hpp"
 #include "plate/formulations.hpp"
+#include "plate/model/membrane.hpp"
 
 namespace cases {
 namespace {
@@ -377,7 +378,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(content.section.heavier_on_one_side(), heavier_on_one_side);
   const bool axial = std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches);
   add(axial, axial_stiffener);
-  add(axial && (a.kind != Kind::static_ || a.nonlinear), pressed_stiffener);
+  add(axial && plate::has_plane(content) && (a.kind != Kind::static_ || a.nonlinear), pressed_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);
     add(srif->richardson, richardson);

@@ -13,7 +13,6 @@
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
-#include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "post/factors/plate_factors.hpp"

@@ -145,7 +145,7 @@ public:
   }
   plate::Forces diagonal() const override { return base_.diagonal(); }
 
-  /// The same points in their plane; null where no loads act there.
+  /// Points in their plane; null where no loads act there.
   const DamagedPlate* plane() const { return plane_.get(); }
 
   /// Constraints of the boundary; where the plate is distributed, they fetch the values of all points that this rank

@@ -1,4 +1,4 @@
-#include "fracture/growth/moving_growth.hpp"
+#include "fracture/growth/moving_bonds_and_tips.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

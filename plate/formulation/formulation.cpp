@@ -132,8 +132,7 @@ Forces Formulation::first_load() const {
 }
 
 Forces Formulation::mass(double rotary) const {
-  const bool whole = section().law == PlateLaw::membrane;
-  return plate::mass(sections(), cloud().areas, boundary().active, constraints(), rotary, whole);
+  return plate::mass(sections(), cloud().areas, boundary().active, constraints(), rotary);
 }
 
 Inertia Formulation::inertia(double rotary) const {

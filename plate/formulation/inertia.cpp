@@ -42,7 +42,7 @@ Triplets products(const geometry::Tessellation& cells, const Weight& weight) {
   return entries;
 }
 
-/// What P^T M P has between two leaders of a point, both of one component, on each of the two.
+/// Entries of P^T M P between two leaders of a point, both of one component, on each of the two.
 Forces between_leaders(const Forces& mass, const Constraints& constraints) {
   Forces result = zero_forces(std::size_t(mass.cols()));
   const auto& ties = constraints.ties();
@@ -58,17 +58,21 @@ Forces between_leaders(const Forces& mass, const Constraints& constraints) {
 }  // namespace
 
 Forces mass(const PointSections& sections, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints, double rotary, bool whole) {
+            const Constraints& constraints, double rotary) {
   Forces result = zero_forces(areas.size());
   for (std::size_t k = 0; k < areas.size(); ++k) {
     const double translation = sections[k].mass, rotation = rotary * sections[k].rotary;
     if (active[k])
       result.col(static_cast<Eigen::Index>(k)) << translation * areas[k], rotation * areas[k], rotation * areas[k];
   }
-  Forces shared = whole ? between_leaders(result, constraints) : Forces();
   constraints.fold_diagonal(result);
-  if (whole) result += shared;
   return result;
+}
+
+Forces whole_mass(Forces mass, const Constraints& constraints) {
+  const Forces shared = between_leaders(mass, constraints);
+  constraints.fold_diagonal(mass);
+  return mass + shared;
 }
 
 Inertia::Inertia(const PointSections& sections, const geometry::Tessellation& cells, const Constraints& constraints,

@@ -12,10 +12,12 @@ namespace plate {
 /// Mass per degree of freedom, diag(rho h, rho h^3 / 12, rho h^3 / 12) of every point times the area (Dai 9), carried
 /// over to the free ones; zero at held degrees of freedom and at points that are not active (images that store no
 /// energy). `rotary`: factor of the rotary inertia; above 1 thin plates take longer steps (theory.md, "Dynamics").
-/// `whole`: with what P^T M P has between leaders of one component, a sum over its rows: a disc that moves in its plane
-/// keeps its mass.
 Forces mass(const PointSections& sections, const std::vector<double>& areas, const std::vector<char>& active,
-            const Constraints& constraints, double rotary = 1, bool whole = false);
+            const Constraints& constraints, double rotary = 1);
+
+/// Carries the mass of every point over to the free degrees of freedom, with the entries of P^T M P between leaders of
+/// one component, as a sum over its rows: a disc that moves in its plane keeps its mass.
+Forces whole_mass(Forces mass, const Constraints& constraints);
 
 /// The mass matrix of a plate on its free degrees of freedom.
 class Inertia {

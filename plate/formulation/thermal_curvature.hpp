@@ -61,7 +61,7 @@ void relieve(Resultants& resultants, const Section& section, const Heat& heat);
 /// The field that a plate in its plane takes freely under a linear strain, which moves and turns nothing at a place.
 State free_field(const std::vector<geometry::Point>& positions, const geometry::Point& place,
                  const LinearStrain& strain);
-/// The same, which moves nothing at the lower left corner of the box about the plate.
+/// Free field that moves nothing at the lower left corner of the box about the plate.
 State free_field(const std::vector<geometry::Point>& positions, const Problem& problem, const LinearStrain& strain);
 
 /// A state less the curvature that the plate would take freely under the heat at a place: w = -kappa_0 r^2 / 2 about

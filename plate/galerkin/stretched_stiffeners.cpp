@@ -3,7 +3,7 @@
 namespace plate {
 namespace {
 
-/// What a state does to an element of a stiffener.
+/// Elongation and force of an element of a stiffener by a state.
 struct Pulled {
   double turned = 0, rise = 0;  // elongation of the axis by rotations of the plate, difference of the deflections
   double force = 0;             // in the axis [force]
@@ -65,11 +65,9 @@ PointMatrix StretchedStiffeners::stiffness(const State& bending, const State& me
   return with(plane_->stiffness(bending, membrane), ElasticSupports({std::move(sum).taken("stiffeners", {}, false)}));
 }
 
+/// Axial forces of stiffeners come by Formulation::with_coupling_forces(), which knows the rotations too.
 PointMatrix StretchedStiffeners::geometric_stiffness(const State& membrane) const {
-  const State flat = zero_like(membrane);
-  ElasticSupportSum sum(std::size_t(membrane.cols()));
-  for (const auto& element : elements_) sum.add(Pulled(element, flat, membrane).force / element.length, element.rise);
-  return with(plane_->geometric_stiffness(membrane), ElasticSupports({std::move(sum).taken("stiffeners", {}, false)}));
+  return plane_->geometric_stiffness(membrane);
 }
 
 Stretch StretchedStiffeners::stretch(const State& bending) const {

@@ -222,7 +222,7 @@ const Eigen::MatrixXd& Family::second_derivative_of_coupling() {
   return of_coupling_;
 }
 
-/// What families are found from. `coupling`: null where there is none.
+/// Data that families are found from. `coupling`: null where there is none.
 struct Stretched {
   const GalerkinFamilies& families;
   const PointSections& sections;

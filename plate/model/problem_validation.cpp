@@ -121,8 +121,8 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
       if (traction && (traction->tensor || traction->shear == 0) && support.kind == SupportKind::hub &&
           support.held_in_plane() == InPlane::free)
         found.push_back({Subject::load_edges, number,
-                         fmt::format("edge \"{}\" is the rim of a hub, which this traction pulls to all sides alike: "
-                                     "remove it; shear turns the hub, a pull is one of other edges",
+                         fmt::format("edge \"{}\" is the rim of a free hub, which an even traction does not move: remove "
+                                     "it, or give shear",
                                      edge)});
       const auto held = traction ? held_in_plane(support.held_in_plane()) : held_by(support.kind);
       if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
@@ -295,16 +295,30 @@ void check_table(const Pressure& load, std::size_t number, const geometry::Outli
 
 /// True where a load that moves along a path acts on the plate anywhere.
 bool crosses_plate(const Load& load, const geometry::Outline& outline) {
-  constexpr int places = 200;  // of every piece
+  constexpr double close = 0.005, most = 1e6;  // places on a piece: a share of the plate apart, and their number
   const auto& path = load.path();
   const auto* pressure = load.as<Pressure>();
+  const auto [low, high] = geometry::bounding_box(outline);
+  const double side = (high - low).minCoeff();
+  const auto far = [&](const geometry::Hole& shape) {
+    const auto ring = geometry::Patch(shape).ring();
+    const auto beyond = [&](int axis) {
+      return std::ranges::all_of(ring, [&](const auto& x) { return x[axis] < low[axis]; }) ||
+             std::ranges::all_of(ring, [&](const auto& x) { return x[axis] > high[axis]; });
+    };
+    return beyond(0) || beyond(1);
+  };
   const auto acts_at = [&](const geometry::Point& x) {
     if (!pressure || !pressure->patch) return on_plate(outline, x);
-    return geometry::Patch(geometry::moved(*pressure->patch, x - path.front())).meets(outline);
+    const auto shape = geometry::moved(*pressure->patch, x - path.front());
+    return !far(shape) && geometry::Patch(shape).meets(outline);
   };
-  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const geometry::Point way = path[i + 1] - path[i];
+    const int places = std::max(1, int(std::min(most, std::ceil(way.norm() / (close * side)))));
     for (int n = 0; n <= places; ++n)
-      if (acts_at(path[i] + (path[i + 1] - path[i]) * n / places)) return true;
+      if (acts_at(path[i] + way * n / places)) return true;
+  }
   return false;
 }
 

@@ -8,7 +8,7 @@
 
 namespace plate {
 
-/// How loads grow with large deflections at rest: by their factor, or along the path of equilibria, on which the factor
+/// Growth of loads with large deflections at rest: by their factor, or along the path of equilibria, on which the factor
 /// is an unknown, through limit points.
 enum class LoadControl : bool { load, arc_length };
 

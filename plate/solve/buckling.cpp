@@ -1,9 +1,11 @@
 #include "plate/solve/buckling.hpp"
 
 #include <Spectra/SymGEigsSolver.h>
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -100,7 +102,13 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
       lanczos.init(start);
     else
       lanczos.init();
-    lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, accuracy, Spectra::SortRule::LargestAlge);
+    try {
+      lanczos.compute(Spectra::SortRule::LargestAlge, most_restarts, accuracy, Spectra::SortRule::LargestAlge);
+    } catch (const std::logic_error&) {
+      throw;
+    } catch (const std::runtime_error& error) {  // of the small problem
+      throw NumericalError(fmt::format("{}: {}", purpose, error.what()));
+    }
     if (lanczos.info() != Spectra::CompInfo::Successful)
       throw NumericalError(purpose + ": the Lanczos iteration does not converge");
     solutions += std::size_t(lanczos.num_operations());
@@ -117,7 +125,7 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
     const VectorXd start = VectorXd::NullaryExpr(B.rows(), [&](Eigen::Index) { return uniform(random); });
     auto more = search(1, rough, start.data());
     if (more.values[0] * (1 + rough) < least) break;
-    more = search(1, tolerance, more.vectors.data());
+    more = search(1, tolerance, start.data());  // from an eigenvector the iteration would break down
     if (more.values[0] <= least * (1 + tolerance)) break;
     const auto before = result.values.size();
     Eigen::Index at = 0;
@@ -133,7 +141,8 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance) {
   if (plate.distributed()) return distributed_buckling(plate, geometric, modes, tolerance);
-  constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
+  constexpr double none = 1e-9;    // of the largest |1 / factor| of single points: rounding
+  constexpr double far_off = 1e3;  // tolerances: a residual that is not that of a mode
   const auto folded_stiffness = folded(plate.stiffness(), plate.constraints());
   const Forces diagonal = folded_diagonal(plate, plate.constraints());
   const auto all = unknowns(diagonal, elimination_order(folded_stiffness, diagonal));
@@ -149,7 +158,10 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
     if (!(inverse_factors[i] > none * largest)) break;
     const VectorXd x = vectors.col(i), bent = product(K, x.data());
     const double factor = 1 / inverse_factors[i];
-    result.push_back({factor, norm(bent + factor * product(K_g, x.data())) / norm(bent), shape_of(x, all, plate)});
+    const double residual = norm(bent + factor * product(K_g, x.data())) / norm(bent);
+    if (residual > std::max(far_off * tolerance, 1e-4))
+      throw NumericalError(fmt::format("buckling: mode {} has a residual of {:.2g}", i + 1, residual));
+    result.push_back({factor, residual, shape_of(x, all, plate)});
   }
   return result;
 }

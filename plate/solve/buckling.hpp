@@ -42,7 +42,7 @@ Eigenvectors largest_eigenvectors(const Eigen::SparseMatrix<double>& A, const Ei
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance);
 
-/// The same of a distributed plate, by conjugate gradients in place of a factor. Collective.
+/// Buckling of a distributed plate, by conjugate gradients in place of a factor. Collective.
 std::vector<BucklingMode> distributed_buckling(const Formulation& plate, const PointMatrix& geometric,
                                                std::size_t modes, double tolerance);
 

@@ -217,9 +217,9 @@ std::vector<std::string> unbalanced_hubs(const std::optional<ReactionSummary>& r
   if (soft == problem.supports.end() || !soft->k_w) return {};
   return {
       fmt::format("reactions balance the loads to {:.1g} % only: springs of hubs this soft are lost in rounding; set "
-                  "support[{}].k_w = {:.1g} or more",
-                  100 * reactions->largest_residual, soft - problem.supports.begin(),
-                  *soft->k_w * reactions->largest_residual / wanted)};
+                  "`k_w` = {:.1g} or more in `support {}`",
+                  100 * reactions->largest_residual, *soft->k_w * reactions->largest_residual / wanted,
+                  soft - problem.supports.begin())};
 }
 
 std::vector<std::string> sinking_supports(const std::optional<ReactionSummary>& reactions,

@@ -85,7 +85,7 @@ Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift) : Factor(
 Factor Factor::of_any_sign(const Eigen::SparseMatrix<double>& lower) {
   try {
     return Factor(lower);
-  } catch (const NumericalError&) {
+  } catch (const NotPositive&) {
     return {lower, 0, false};
   }
 }
@@ -107,11 +107,11 @@ Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool posi
   if (!h.factor || h.common->status == CHOLMOD_OUT_OF_MEMORY) throw NumericalError("factorisation: not enough memory");
   cholmod_factorize(&matrix, h.factor, &h.common);
   if (h.common->status == CHOLMOD_OUT_OF_MEMORY) throw NumericalError("factorisation: not enough memory");
-  if (h.common->status != CHOLMOD_OK) throw NumericalError("factorisation: the stiffness is not positive");
+  if (h.common->status != CHOLMOD_OK) throw NotPositive("factorisation: the stiffness is not positive");
 }
 
 Factor::Factor(std::unique_ptr<const DistributedInverse> shared) : shared_(std::move(shared)) {
-  if (!shared_->positive()) throw NumericalError("factorisation: the stiffness is not positive");
+  if (!shared_->positive()) throw NotPositive("factorisation: the stiffness is not positive");
 }
 
 Factor::~Factor() = default;

@@ -214,6 +214,13 @@ std::optional<State> state_that_loads_move(const State& state, const DrivenSuppo
   return result;
 }
 
+/// Starts supports and loads that move from an equilibrium.
+void start_from_rest(const State& state, DrivenSupports& driven, TravellingLoads& travelling) {
+  driven.start();
+  const auto free = state_that_loads_move(state, driven, travelling);
+  travelling.start(free ? *free : state);
+}
+
 /// `internal_force(state, what it awaits or nothing, force)` in the number Real.
 template <typename Real, typename InternalForce>
 void steps(const InternalForce& internal_force, const Constraints& constraints, Masses masses, DrivenSupports driven,
@@ -226,11 +233,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     driven.restore(from->driven), travelling.restore(from->travelling);
     if (constraints.distributed() && driven.any()) constraints.impose(state), driven.place(state, double(begin) * dt);
   }
-  if (!options.from && options.start.size() > 0 && !options.bent) {
-    driven.start();
-    const auto free = state_that_loads_move(state, driven, travelling);
-    travelling.start(free ? *free : state);
-  }
+  if (!options.from && options.start.size() > 0 && !options.bent) start_from_rest(state, driven, travelling);
   Values<Real> force;
   std::optional<PendingExchange> rest;  // of the state
   for (std::size_t step = begin;; ++step) {

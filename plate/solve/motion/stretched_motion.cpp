@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/inertia.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
@@ -92,9 +93,10 @@ Forces StretchedMotion::diagonal() const {
 }
 
 Forces StretchedMotion::mass() const {
-  Forces result = unconstrained_mass_;
+  const Forces plate = of_plate(unconstrained_mass_), membrane = of_plane(unconstrained_mass_);
+  Forces result = stacked(plate, zero_like(membrane));
   constraints_.fold_diagonal(result);
-  return result;
+  return result + whole_mass(stacked(zero_like(plate), membrane), constraints_);
 }
 
 std::vector<TimedLoad> StretchedMotion::loads() const {
@@ -187,8 +189,7 @@ double stable_time_step(const Formulation& plate, const Formulation& membrane, d
       const StretchedMotion both(plate, membrane, rotary);
       return stable_time_step(*both.coupled(), both.constraints(), both.mass());
     }
-    Forces mass = mass_in_plane(plate);
-    membrane.constraints().fold_diagonal(mass);
+    const Forces mass = whole_mass(mass_in_plane(plate), membrane.constraints());
     return std::min(stable_time_step(plate, rotary),
                     stable_time_step(membrane, membrane.constraints(), mass, start_by_place(membrane)));
   };

@@ -205,3 +205,16 @@ TEST_CASE("buckling: frequencies go to zero with the load", "[in_plane]") {
   const FrequencyOptions options{1, 1e-6, 10000, shift_of(c.section, 1), inverse.get(), {}};
   CHECK_THROWS_AS(frequencies_under_load(*found.membrane, *found.plate, found.plate->mass(), options), NumericalError);
 }
+
+TEST_CASE("buckling: multiple factors come all, and none that is not there", "[in_plane]") {
+  const std::vector<double> exact{2, 5, 5, 8, 10, 10, 13};  // m^2 + n^2 of the thin plate, pressed alike in x and y
+  for (const std::size_t count : {2u, 5u, 7u}) {
+    const auto modes = modes_of(loaded(1, 0.02, SupportKind::simply_supported_hard, {-1, -1, 0}, 24), count);
+    REQUIRE(modes.size() == count);
+    for (std::size_t i = 0; i < count; ++i) {
+      INFO(count << ", mode " << i << ": " << modes[i].factor);
+      CHECK(modes[i].factor == Approx(exact[i]).epsilon(0.03));
+      CHECK(modes[i].residual < 1e-6);
+    }
+  }
+}

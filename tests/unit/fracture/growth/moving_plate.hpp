@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "cases/driver/prepared.hpp"
-#include "fracture/growth/moving_growth.hpp"
+#include "fracture/growth/moving_bonds_and_tips.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/archive.hpp"
 #include "plate/solve/motion/dynamics.hpp"

@@ -1,4 +1,4 @@
-#include "fracture/growth/moving_growth.hpp"
+#include "fracture/growth/moving_bonds_and_tips.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/unit/fracture/growth/moving_plate.hpp"

@@ -1,7 +1,7 @@
-#include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/inertia.hpp"
 
 #include "geometry/cells/tessellation.hpp"
+#include "geometry/shape/crack_path.hpp"
 #include "tests/catch.hpp"
 
 using namespace plate;
@@ -50,4 +50,19 @@ TEST_CASE("inertia: symmetric, and held degrees of freedom have none") {
   CHECK(at_dof(inertia(u), dof_by_points(0)) == 0);
   CHECK(at_dof(inertia(u), dof_by_points(7)) == 0);
   CHECK(u.cwiseProduct(inertia(u)).sum() > 0);
+}
+
+TEST_CASE("inertia: points that follow two others leave them their whole mass") {
+  Constraints constraints;
+  constraints.tie({2, 1}, {{{0, 1}, 0.25}, {{1, 1}, 0.75}});
+  constraints.tie({3, 1}, {{{0, 1}, 1.5}, {{1, 1}, -0.5}});
+  constraints.resolve();
+  Forces mass = Forces::Constant(3, 4, 2.0);
+  const Forces whole = whole_mass(mass, constraints);
+  CHECK(whole.row(1).sum() == Approx(8));
+  CHECK(whole(1, 2) == 0);
+  Forces diagonal = mass;
+  constraints.fold_diagonal(diagonal);
+  CHECK(diagonal.row(1).sum() == Approx(2 * (2 + 0.0625 + 0.5625 + 2.25 + 0.25)));
+  CHECK(whole.row(0) == diagonal.row(0));
 }
