@@ -55,7 +55,7 @@ void growth(Text out, const GrowthSummary& growth) {
 /// single factors are known, that of all.
 std::optional<double> error_of(const Srif& srif, double thickness) {
   const std::array values{srif.K1, srif.K2, srif.K3 * thickness};
-  double largest = srif.membrane ? largest_with_plane(srif, thickness) : 0, error = 0;
+  double largest = 0, error = 0;
   bool known = false;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!srif.resolved[i]) continue;
@@ -74,7 +74,7 @@ std::string in_percent(const std::optional<double>& error) {
 /// K1, K2, K3 as they are printed.
 std::array<std::string, 3> factor_texts(const Srif& srif, double thickness) {
   const std::array values{srif.K1, srif.K2, srif.K3};
-  const double largest = largest_with_plane(srif, thickness);
+  const double largest = largest_factor(srif, thickness);
   std::array<std::string, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
     const double size = std::abs(values[i]), moment = i == 2 ? size * thickness : size;

@@ -16,7 +16,7 @@ function error_of(one) {
   const scaled = (name, x) => Math.abs(x) * (name === "K3" ? thickness : 1);
   const there = factor_names.filter(name => typeof one[name] === "number");
   const known = there.filter(name => typeof one[`estimated_error_${name}`] === "number");
-  const most = largest([...there.map(name => scaled(name, one[name])), ...["N1", "N2"].map(name => ((one[name] ?? 0) * thickness) / 6)]);
+  const most = largest(there.map(name => scaled(name, one[name])));
   if (known.length === 0 || most === 0) return one.estimated_error;
   return largest(known.map(name => scaled(name, one[`estimated_error_${name}`]))) / most;
 }
