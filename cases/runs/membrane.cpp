@@ -180,7 +180,7 @@ std::vector<std::string> warnings_about(const plate::LargeDeflections& found, do
     const auto& step = found.steps[i];
     const double before = i == 0 ? 0 : found.steps[i - 1].factor;
     if (step.snapped && step.factor == 0)
-      lines.emplace_back("the plate snaps under the constant loads: raise them in steps, or see load_steps.csv");
+      lines.emplace_back("the plate snaps under its constant loads and may rest on either side: see load_steps.csv");
     else if (step.snapped)
       lines.push_back(fmt::format("the plate snaps between load factors {:.4g} and {:.4g}: {}see load_steps.csv",
                                   before, step.factor,

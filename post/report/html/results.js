@@ -51,12 +51,20 @@ function buckling_section() {
     buckling.map((one, i) => [value(`buckling[${i}].mode`), value(`buckling[${i}].factor`, 6), one.estimated_error === undefined ? "–" : value(`buckling[${i}].estimated_error`, 2), value(`buckling[${i}].residual`, 3)]), { "data-table": "buckling" }));
 }
 
+/** Load factor and deflection along a path that steps of arc length follow. */
+function path_plots(steps) {
+  if (steps.length < 2 || steps[0].arc_length === undefined) return null;
+  const along = steps.map(step => step.arc_length), line = (label, y) => ({ label, x: along, y, points: true });
+  return plots([["Load factor", "factor", null], ["Deflection", "deflection", "w"]].map(([title, column, quantity]) => plot({
+    title: `${title} along the path`, x: { label: "length of the path" }, y: { label: title.toLowerCase(), quantity }, lines: [line(title.toLowerCase(), steps.map(step => step[column]))] })));
+}
+
 /** Equilibria on the way to the full load. */
 function load_steps_section() {
   const { load_steps } = data.summary;
   if (!load_steps) return null;
   const at = i => `load_steps[${i}]`, cases = load_steps[0].case !== undefined;
-  return section("Steps of the load", table([...(cases ? [{ title: "case", left: true }] : []), { title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
+  return section("Steps of the load", path_plots(load_steps), table([...(cases ? [{ title: "case", left: true }] : []), { title: "load factor" }, { title: "largest w", unit: unit("length") }, { title: "iterations" }, { title: "residual" }, { title: "stable" }, { title: "snapped" }],
     load_steps.map((step, i) => [...(cases ? [step.case] : []), value(`${at(i)}.factor`, 5), value(`${at(i)}.largest_deflection`, 6), value(`${at(i)}.iterations`), value(`${at(i)}.residual`, 3), step.stable, step.snapped]), { "data-table": "load_steps" }));
 }
 
