@@ -149,8 +149,8 @@ void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const pla
 /// A warning of post about factors of a plate in its plane, whose K1 and K2 are N1 and N2.
 std::string of_plane(std::string warning);
 
-/// Warnings about cracks whose faces loads in the plane press together: without contact they are taken as free. `known`:
-/// the plane under these loads.
+/// Warnings about cracks whose faces loads in the plane press together: without contact they are taken as free.
+/// `known`: the plane under these loads.
 /// @throws plate::NumericalError  as membrane_at_rest()
 std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& membrane, plate::Analysis analysis,
                                                       const plate::State* known = nullptr);

@@ -8,8 +8,8 @@
 
 namespace plate {
 
-/// Growth of loads with large deflections at rest: by their factor, or along the path of equilibria, on which the factor
-/// is an unknown, through limit points.
+/// Growth of loads with large deflections at rest: by their factor, or along the path of equilibria, on which the
+/// factor is an unknown, through limit points.
 enum class LoadControl : bool { load, arc_length };
 
 enum class AnalysisKind { static_, dynamic, frequencies, harmonic, buckling };
