@@ -120,10 +120,11 @@ void check_held(const Load& load, std::size_t number, const Problem& problem, st
       if (std::ranges::find(support.edges, edge) == support.edges.end()) continue;
       if (traction && (traction->tensor || traction->shear == 0) && support.kind == SupportKind::hub &&
           support.held_in_plane() == InPlane::free)
-        found.push_back({Subject::load_edges, number,
-                         fmt::format("edge \"{}\" is the rim of a free hub, which an even traction does not move: remove "
-                                     "it, or give shear",
-                                     edge)});
+        found.push_back(
+            {Subject::load_edges, number,
+             fmt::format("edge \"{}\" is the rim of a free hub, which an even traction does not move: remove "
+                         "it, or give shear",
+                         edge)});
       const auto held = traction ? held_in_plane(support.held_in_plane()) : held_by(support.kind);
       if (shear ? held.w : (moment || twist) && (!moment || held.normal) && (!twist || held.tangential))
         found.push_back(
