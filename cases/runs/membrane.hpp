@@ -27,6 +27,8 @@ class DamagedPlate;
 
 namespace cases {
 
+struct Case;
+
 /// A plate in its plane, at rest under its loads.
 struct MembraneResult {
   post::InPlaneFields fields;
