@@ -405,7 +405,8 @@ std::vector<std::string> warnings_about_rotations(double largest) {
 
 bool may_touch(const Case& c, const plate::Formulation& plate) {
   const bool moves = c.moves() || c.growth;
-  return !c.coupled() && !plate.distributed() && (!c.growth || c.grows_at_rest()) &&
+  return !c.coupled() && !plate.distributed() && c.analysis.control == plate::LoadControl::load &&
+         (!c.growth || c.grows_at_rest()) &&
          plate.offers(moves ? plate::Feature::moving_faces : plate::Feature::touching_faces);
 }
 

@@ -201,7 +201,8 @@ post::GrowthSummary QuasiStaticRun::growth_summary() const {
   growth.advances = model_->advances();
   growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
   growth.largest_load_factor = largest_factor_;
-  if (first_error_ && std::isfinite(*first_error_)) growth.first_load_factor_error = *first_error_ * *first_factor_;
+  if (first_factor_ && first_error_ && std::isfinite(*first_error_))
+    growth.first_load_factor_error = *first_error_ * *first_factor_;
   growth.broken_bonds = model_->broken_bonds();
   growth.lengths = model_->lengths();
   const auto& energies = outcome_.ledger;

@@ -345,7 +345,8 @@ std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const std
     if (auto& last = layout.loads.back(); last.curvature.size() > 0)
       last.forces = force_of_curvature(families, shapes, boundary.cloud.areas, weights, last.curvature, boundary.map);
     if (one.moves())
-      layout.loads.back().moving = std::make_shared<MovingForces>(moving_forces(one, boundary.cloud, boundary.map));
+      layout.loads.back().moving =
+          std::make_shared<MovingForces>(moving_forces(one, boundary.cloud, boundary.map, &problem.outline));
     const double share = 1 + (problem.load_cases.empty() ? 0 : 0.1 * double(layout.loads.size()));
     load += share * layout.loads.back().forces;  // those of load cases do not act together: none takes another away
   }

@@ -194,9 +194,10 @@ private:
     layout_.emplace(Layout{problem_, std::move(paths), tips, boundary_of(cells, areas), cut_share(cells, areas), {}});
     masses_ = stiffener_masses(problem_, cells);
     for (const auto& load : problem_.loads)
-      acting_.push_back(
-          {forces_of(load, cells, areas, {}),
-           load.moves() ? std::make_shared<MovingForces>(moving_forces(load, cells, areas.size())) : nullptr});
+      acting_.push_back({forces_of(load, cells, areas, {}), load.moves()
+                                                                ? std::make_shared<MovingForces>(moving_forces(
+                                                                      load, cells, areas.size(), {}, &problem_.outline))
+                                                                : nullptr});
     cells_ = std::move(cells);
   }
 
@@ -218,8 +219,8 @@ private:
     for (const auto& load : problem_.loads) {
       auto& acting = acting_.emplace_back(restricted(forces_of(load, cells, areas, map), part), nullptr);
       if (load.moves())
-        acting.moving =
-            std::make_shared<MovingForces>(restricted(moving_forces(load, cells, areas.size(), map), *part_));
+        acting.moving = std::make_shared<MovingForces>(
+            restricted(moving_forces(load, cells, areas.size(), map, &problem_.outline), *part_));
     }
     cells_ = std::move(part_->part.cells);
   }

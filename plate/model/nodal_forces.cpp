@@ -8,6 +8,7 @@
 #include "geometry/shape/patch.hpp"
 #include "plate/model/load_integration.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/problem_validation.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
@@ -63,7 +64,7 @@ Pressure moved(Pressure pressure, const Point& to) {
 /// `press(pressure, forces)`: adds a pressure that rests.
 template <typename Sees, typename Press>
 MovingForces stations(const Load& load, const std::vector<Point>& positions, std::size_t count, double spacing,
-                      const Sees& sees, const Press& press) {
+                      const geometry::Outline* outline, const Sees& sees, const Press& press) {
   MovingForces result;
   std::vector<std::uint32_t> near;
   for (std::uint32_t k = 0; k < count; ++k)
@@ -71,9 +72,9 @@ MovingForces stations(const Load& load, const std::vector<Point>& positions, std
   Forces forces = zero_forces(positions.size());
   for (const auto& [time, x] : places_on(load.path(), load.speed(), spacing)) {
     forces.setZero();
-    if (const auto* force = load.as<PointForce>())
+    if (const auto* force = load.as<PointForce>(); force && (!outline || on_plate(*outline, x)))
       add_force(force->value, x, positions, near, spacing, sees, forces);
-    else
+    else if (!force)
       press(moved(*load.as<Pressure>(), x), forces);
     auto& station = result.stations.emplace_back(MovingForces::Station{time, {}});
     for (Eigen::Index k = 0; k < forces.cols(); ++k)
@@ -97,18 +98,20 @@ Forces MovingForces::whole(double time, std::size_t points) const {
   return result;
 }
 
-MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map) {
+MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map,
+                           const geometry::Outline* outline) {
   auto result = stations(
-      load, cloud.positions, cloud.plate_points, cloud.units.spacing, [&](const Point& x) { return cloud.seeded(x); },
+      load, cloud.positions, cloud.plate_points, cloud.units.spacing, outline,
+      [&](const Point& x) { return cloud.seeded(x); },
       [&](const Pressure& now, Forces& forces) { add_pressure(now, cloud, map, forces); });
   result.own = map.owned;
   return result;
 }
 
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
-                           const PointMap& map) {
+                           const PointMap& map, const geometry::Outline* outline) {
   return stations(
-      load, cells.positions, points, cells.units.spacing, [&](const Point& x) { return cells.sees(x); },
+      load, cells.positions, points, cells.units.spacing, outline, [&](const Point& x) { return cells.sees(x); },
       [&](const Pressure& now, Forces& forces) { add_pressure(now, cells, map, forces); });
 }
 

@@ -47,10 +47,12 @@ private:
   std::size_t after(double time) const;  // number of the first station later than that
 };
 
-/// Nodal forces of a load with a path and a speed, from time 0 on.
-MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map = {});
+/// Nodal forces of a load with a path and a speed, from time 0 on. `outline` [length]: a force acts within it only; null:
+/// everywhere.
+MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map = {},
+                           const geometry::Outline* outline = nullptr);
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,
-                           const PointMap& map = {});
+                           const PointMap& map = {}, const geometry::Outline* outline = nullptr);
 
 /// A load case: generalised nodal forces times a factor of time; of a settlement none, but where it puts what is held
 /// while all that is free rests (Constraints::lift).

@@ -33,15 +33,16 @@ VectorXd product(const Matrix& lower, const double* x) {
 class Left {
 public:
   using Scalar = double;
-  Left(const Matrix& lower, const std::string& purpose, const Constraints& constraints)
-      : lower_(lower), purpose_(purpose), constraints_(constraints) {}
+  /// `scale`: of the eigenvalues.
+  Left(const Matrix& lower, double scale, const std::string& purpose, const Constraints& constraints)
+      : lower_(lower), scale_(scale), purpose_(purpose), constraints_(constraints) {}
 
   Eigen::Index rows() const { return lower_.rows(); }
   Eigen::Index cols() const { return lower_.cols(); }
   void perform_op(const double* x, double* y) const {
     stop_if_asked(purpose_.c_str(), constraints_);
     Eigen::Map<VectorXd> result(y, rows());
-    result = product(lower_, x);
+    result = scale_ * product(lower_, x);
     if (values_.size() > 0)
       result -= times_B_ * values_.cwiseProduct(times_B_.transpose() * Eigen::Map<const VectorXd>(x, rows()));
   }
@@ -52,6 +53,7 @@ public:
 
 private:
   const Matrix& lower_;
+  double scale_;
   const std::string& purpose_;
   const Constraints& constraints_;
   VectorXd values_;
@@ -92,7 +94,10 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
                                   const std::string& purpose, const Constraints& constraints) {
   constexpr Eigen::Index most_restarts = 300;
   constexpr double rough = 1e-2;  // enough to see how large the largest of the rest is
-  Left left(A, purpose, constraints);
+  // a power of two: the library judges eigenvalues that are far below 1 by their absolute error
+  const double usual = A.diagonal().cwiseAbs().sum() / B.diagonal().cwiseAbs().sum();
+  const double scale = usual > 0 ? std::exp2(-std::round(std::log2(usual))) : 1;
+  Left left(A, scale, purpose, constraints);
   Stiffness factor(B);
   std::size_t solutions = 0;
   const auto search = [&](Eigen::Index count, double accuracy, const double* start) -> Eigenvectors {
@@ -135,7 +140,7 @@ Eigenvectors largest_eigenvectors(const Matrix& A, const Matrix& B, std::size_t 
       result.values[i] = result.values[i - 1], result.vectors.col(i) = result.vectors.col(i - 1).eval();
     result.values[at] = more.values[0], result.vectors.col(at) = more.vectors.col(0);
   }
-  return {result.values.head(count), result.vectors.leftCols(count), solutions};
+  return {result.values.head(count) / scale, result.vectors.leftCols(count), solutions};
 }
 
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,

@@ -430,7 +430,11 @@ double StretchedPlate::residual(const Now& now, const PlateLoads& loads, double 
   Forces load = factor * loads.across, stretched = now.on_bending;
   if (loads.constant) load += loads.constant->across;
   plate_.constraints().fold(load), plate_.constraints().fold(stretched);
-  const double scale = std::max(norm(load), norm(stretched));
+  double scale = std::max(norm(load), norm(stretched));
+  if (loads.constant) {  // what grows may take it back
+    Forces constant = loads.constant->across;
+    plate_.constraints().fold(constant), scale = std::max(scale, norm(constant));
+  }
   return scale > 0 ? now.residual / scale : 0;
 }
 

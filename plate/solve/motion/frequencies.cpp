@@ -1,5 +1,6 @@
 #include "plate/solve/motion/frequencies.hpp"
 
+#include <fmt/format.h>
 #include <Spectra/SymEigsSolver.h>
 #include <algorithm>
 #include <cmath>
@@ -33,8 +34,9 @@ MatrixXd of_all(const Constraints& constraints, MatrixXd sums) {
   return sums;
 }
 
-/// M^(1/2) (K + sigma M)^(-1) M^(1/2), with eigenvalues 1 / (omega^2 + sigma) and eigenvectors M^(1/2) q, less the part
-/// that belongs to eigenvectors already found. Vectors have all degrees of freedom, zero at those that are held.
+/// s M^(1/2) (K + sigma M)^(-1) M^(1/2), with eigenvalues s / (omega^2 + sigma) and eigenvectors M^(1/2) q, less the
+/// part that belongs to eigenvectors already found. s is the power of two next to sigma: the library judges eigenvalues
+/// that are far below 1 by their absolute error. Vectors have all degrees of freedom, zero at those that are held.
 class Inverse {
 public:
   using Scalar = double;
@@ -45,6 +47,7 @@ public:
         options_(options),
         shift_(options.shift * mass),
         root_mass_(mass.cwiseSqrt()),
+        scale_(std::exp2(std::round(std::log2(options.shift)))),
         solve_{options.tolerance, options.max_iterations, {}} {}
 
   Index rows() const { return root_mass_.size(); }
@@ -62,7 +65,7 @@ public:
       throw NumericalError("frequencies: conjugate gradients " + solution.stop_reason + " in solution " +
                            std::to_string(solutions_));
     Eigen::Map<VectorXd>(y, rows()) =
-        without_found(root_mass_.cwiseProduct(solution.state).reshaped<Eigen::RowMajor>());
+        scale_ * without_found(root_mass_.cwiseProduct(solution.state).reshaped<Eigen::RowMajor>());
   }
 
   void solve_to(double tolerance) { solve_.tolerance = tolerance; }
@@ -107,13 +110,14 @@ private:
   const Constraints& constraints_;
   const FrequencyOptions& options_;
   Forces shift_, root_mass_;
+  double scale_;
   StaticOptions solve_;
   MatrixXd found_;
   mutable std::size_t solutions_ = 0, iterations_ = 0;
 };
 
 struct Ritz {
-  VectorXd values;  // 1 / (omega^2 + sigma), largest first
+  VectorXd values;  // s / (omega^2 + sigma), largest first
   MatrixXd vectors;
 };
 
@@ -251,8 +255,12 @@ FrequencySolution frequencies(const Operator& plate, const Constraints& constrai
   const Eigenpairs eigen =
       eigenpairs((stiffness + stiffness.transpose()) / 2, of_all(constraints, found.transpose() * found));
   FrequencySolution result{{}, inverse.solutions(), inverse.iterations()};
-  for (Index i = 0; i < count; ++i)
+  constexpr double no_mode = 0.3;  // residual
+  for (Index i = 0; i < count; ++i) {
     result.modes.push_back(pairs.mode(eigen.values[i], pairs.state(found * eigen.vectors.col(i))));
+    if (const double residual = result.modes.back().residual; residual > no_mode)
+      throw NumericalError(fmt::format("frequencies: mode {} has a residual of {:.2g}", i + 1, residual));
+  }
   return result;
 }
 

@@ -249,8 +249,8 @@ TEST_CASE("a heated square beyond its critical temperature deflects as by its se
       // one step of the load from the flat plate to far beyond its bifurcation
       CHECK(found.external_work / (found.bending_energy + found.membrane_energy) == Approx(1).epsilon(0.15));
       const std::optional<post::SrifOptions> no_factors;
-      const auto in_plane =
-          cases::membrane_results(*plates.membrane, found, plates.membrane->total_load(), heat, {no_factors, {}}, "");
+      const auto in_plane = cases::membrane_results(*plates.plate, *plates.membrane, found,
+                                                    plates.membrane->total_load(), heat, {no_factors, {}}, "");
       // the energy of what the strains exceed alpha T by, that of the bonds' residuals aside
       double expected = 0;
       for (std::size_t k = 0; k < plates.membrane->cloud().plate_points; ++k) {
