@@ -50,12 +50,6 @@ def number(text):
     return float(found[0]) if found else None
 
 
-def last_place(text):
-    """One in the last digit of a plain number; 0 of others."""
-    found = re.fullmatch(r"[-−]?\d+\.(\d+)", text)
-    return 10.0 ** -len(found[1]) if found else 0.0
-
-
 def at(summary, path):
     for key in re.split(r"[.\[\]]+", path):
         if key:
@@ -71,10 +65,12 @@ def of_numbers(page, summary):
         if isinstance(there, (int, float)):
             if float(one["data-value"]) != there:
                 wrong.append(f"{one['data-from']}: {one['data-value']} on the page, {there} in summary.json")
-            there /= float(one["data-factor"] or 1)
+            factor = float(one["data-factor"] or 1)
+            there /= factor
             says = number(one.text)
             text_is_itself = not re.search(r" (s|ms|min|h|B|kB|MB|GB)$", one.text)  # else in another unit
-            rounding = max(abs(there) * (0.05 if len(one.text) < 4 else 6e-3), 0.51 * last_place(one.text))
+            of_error = 0.06 * float(one["data-error"] or 0) / factor  # digits stand for two of the error
+            rounding = max(abs(there) * (0.05 if len(one.text) < 4 else 6e-3), of_error)
             noise = one.text in ("0", "not resolved")
             if text_is_itself and not noise and (says is None or abs(says - there) > rounding):
                 wrong.append(f"{one['data-from']}: says {one.text}, is {there}")

@@ -17,17 +17,17 @@ const drawn = (name, attributes = {}, ...children) => filled(document.createElem
 /** What stands at a path in summary.json, as in "srif[0].K1". */
 const at = path => path.split(/[.[\]]+/).filter(Boolean).reduce((value, key) => value?.[key], data.summary);
 
-/** A number of summary.json, with its path: the tests compare them. */
-function value(path, digits = 6, text = null, factor = 1) {
+/** A number of summary.json, with its path and the error that its digits are for: the tests compare them. */
+function value(path, digits = 6, text = null, factor = 1, error = null) {
   const x = at(path);
-  return element("span", { class: "number", "data-from": path, "data-value": x ?? "", "data-factor": factor === 1 ? null : factor, title: typeof x === "number" ? String(x) : null },
+  return element("span", { class: "number", "data-from": path, "data-value": x ?? "", "data-factor": factor === 1 ? null : factor, "data-error": error, title: typeof x === "number" ? String(x) : null },
     text ?? shown(typeof x === "number" ? x / factor : x, digits));
 }
 
 /** A number of summary.json with its error, in a unit that is `factor` times its own. */
 function with_error(path, error, factor = 1, most = 6) {
   const x = at(path), known = typeof error === "number" && error > 0;
-  return [value(path, most, typeof x === "number" ? measured(x / factor, known ? error / factor : null, most) : null, factor),
+  return [value(path, most, typeof x === "number" ? measured(x / factor, known ? error / factor : null, most) : null, factor, known ? error : null),
     known ? element("span", { class: "error" }, ` ± ${shown(error / factor, 2)}`) : null];
 }
 

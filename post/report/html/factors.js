@@ -77,7 +77,7 @@ function faces_table(indices) {
     const { faces } = all[i], path = `srif[${i}].faces`, size = largest(shown_names.map(name => faces[name]));
     const none = name => faces[name] === null || faces[name] === undefined;
     const known = faces.estimated_error_K_eq / factor; // none of the others is known better
-    const cell = name => (none(name) ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 4, measured(faces[name] / factor, known, 4), factor));
+    const cell = name => (none(name) ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 4, measured(faces[name] / factor, known, 4), factor, faces.estimated_error_K_eq));
     return [value(`srif[${i}].tip`), ...shown_names.slice(0, -1).map(cell), none("K_eq") ? "not resolved" : with_error(`${path}.K_eq`, faces.estimated_error_K_eq, factor, 4),
       ...(used ? [utilisation_cell(path, faces)] : [])];
   });

@@ -66,12 +66,12 @@ function check_paper() {
 
 /** For tests: how many colours there are on each canvas, in data-colours. */
 function check() {
-  check_paper();
   for (const canvas of document.querySelectorAll("canvas")) {
     const { data: pixels } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height), colours = new Set();
     for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0) colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
     canvas.dataset.colours = colours.size;
   }
+  check_paper();
   document.documentElement.dataset.state = "drawn";
 }
 

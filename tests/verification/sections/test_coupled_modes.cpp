@@ -93,6 +93,28 @@ TEST_CASE("coupled modes: mass off the middle plane parts the double frequency o
   CHECK(modes[2].frequency / modes[1].frequency == Approx(high / low).epsilon(0.0005));  // measured: 3e-5
 }
 
+TEST_CASE("coupled modes: stiff plates swing as soft ones, at higher frequencies") {
+  auto stiff = cross_ply(0.05);
+  for (auto& one : stiff.plies)
+    for (double* modulus : {&one.E1, &one.E2, &one.G12, &one.G13, &one.G23}) *modulus *= 1e12;
+  const auto plain = frequencies_of(square(cross_ply(0.05), 16), 3), high = frequencies_of(square(stiff, 16), 3);
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    CHECK(high[i].frequency == Approx(1e6 * plain[i].frequency).epsilon(1e-6));
+  auto c = square(of_plies({ply(0, 0.01), ply(90, 0.01), ply(0, 0.01)}), 16);
+  const auto alone = [&](double factor) {
+    for (auto& one : c.section.plies)
+      for (double* modulus : {&one.E1, &one.E2, &one.G12, &one.G13, &one.G23}) *modulus *= factor;
+    const auto plate = discretise(c).plate;
+    auto options = options_of(c, 2);
+    const auto inverse = plate->inverse_of_shifted(options.shift);
+    options.preconditioner = inverse.get();
+    return frequencies(*plate, plate->constraints(), plate->mass(), options).modes;
+  };
+  const auto soft = alone(1), stiffer = alone(1e12);
+  for (std::size_t i = 0; i < soft.size(); ++i)
+    CHECK(stiffer[i].frequency == Approx(1e6 * soft[i].frequency).epsilon(1e-6));
+}
+
 TEST_CASE("coupled modes: a plate turned with its plies has the same frequencies") {
   const auto plain = frequencies_of(square(cross_ply(0.05), 30), 3);
   const auto turned = frequencies_of(square(cross_ply(0.05), 30, 27), 3);

@@ -193,3 +193,14 @@ TEST_CASE("a plate that starts in equilibrium under a wheel rests until it goes 
     CHECK(imbalance < 1e-6 * strain);
   }
 }
+
+TEST_CASE("a force beside the plate does nothing") {
+  for (const auto* kind : formulations()) {
+    const Load load{PointForce{.value = 1, .path = {{-0.5, 0.3}, {1.5, 0.3}}, .speed = 1}};
+    const auto plate = vp::assembled(on_soil(kind, load));
+    const auto& moving = *plate->loads().front().moving;
+    CHECK(moving.whole(0.4, plate->points()).isZero(0));
+    CHECK(moving.whole(1, plate->points()).row(0).sum() == Approx(1));
+    CHECK(moving.whole(1.6, plate->points()).isZero(0));
+  }
+}
