@@ -47,8 +47,8 @@ private:
   std::size_t after(double time) const;  // number of the first station later than that
 };
 
-/// Nodal forces of a load with a path and a speed, from time 0 on. `outline` [length]: a force acts within it only; null:
-/// everywhere.
+/// Nodal forces of a load with a path and a speed, from time 0 on. `outline` [length]: a force acts within it only;
+/// null: everywhere.
 MovingForces moving_forces(const Load& load, const geometry::Cloud& cloud, const PointMap& map = {},
                            const geometry::Outline* outline = nullptr);
 MovingForces moving_forces(const Load& load, const geometry::Tessellation& cells, std::size_t points,

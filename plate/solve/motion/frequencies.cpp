@@ -1,7 +1,7 @@
 #include "plate/solve/motion/frequencies.hpp"
 
-#include <fmt/format.h>
 #include <Spectra/SymEigsSolver.h>
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

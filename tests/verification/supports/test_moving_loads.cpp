@@ -4,6 +4,7 @@
 
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulations.hpp"
+#include "plate/model/nodal_forces.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/statics.hpp"
 #include "tests/catch.hpp"
