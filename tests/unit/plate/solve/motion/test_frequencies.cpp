@@ -49,7 +49,8 @@ FrequencySolution check(const Problem& problem, std::size_t modes, std::size_t r
       const std::lock_guard guard(one_by_one);
       REQUIRE(found.modes.size() == modes);
       for (std::size_t i = 0; i < modes; ++i) {
-        const auto& [frequency, residual, shape] = found.modes[i];
+        const auto& [frequency, residual, shape] =
+            std::tie(found.modes[i].frequency, found.modes[i].residual, found.modes[i].shape);
         CAPTURE(processes, i, frequency, frequency / whole.modes[i].frequency - 1, residual);
         if (i < rigid)
           CHECK(frequency < 1e-4 * first);
