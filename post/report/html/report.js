@@ -48,7 +48,8 @@ function start() {
     again();
     fit_tables();
   });
-  if (location.hash === "#check") requestAnimationFrame(() => requestAnimationFrame(check));
+  const soon = work => requestAnimationFrame(() => requestAnimationFrame(work)); // once all is drawn
+  if (location.hash === "#check") soon(() => (check_paper(), soon(check)));
   else document.documentElement.dataset.state = "drawn";
 }
 
@@ -71,7 +72,6 @@ function check() {
     for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0) colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
     canvas.dataset.colours = colours.size;
   }
-  check_paper();
   document.documentElement.dataset.state = "drawn";
 }
 
