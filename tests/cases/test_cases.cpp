@@ -36,12 +36,14 @@ Ended run(const fs::path& file, const fs::path& folder, const std::vector<std::s
   return program(arguments);
 }
 
-/// Overrides that make a case cheap: 30 cells across the smaller side at rest, 40 else, a fortieth of the duration; to
-/// a stated accuracy a coarse one and a quarter, because the first waves ask for the finest points.
+/// Overrides that make a case cheap: 30 cells across the smaller side at rest, 8 along a path by arc length, 40 else, a
+/// fortieth of the duration; to a stated accuracy a coarse one and a quarter, because the first waves ask for the
+/// finest points.
 std::vector<std::string> coarse(const cases::Case& c) {
   const auto [low, high] = geometry::bounding_box(c.outline);
   using enum plate::AnalysisKind;
-  const double cells = c.analysis.kind == static_ && !c.growth ? 30 : 40;
+  const bool path = c.analysis.control == plate::LoadControl::arc_length;
+  const double cells = path ? 8 : c.analysis.kind == static_ && !c.growth ? 30 : 40;
   std::vector<std::string> settings{"discretization.spacing=" + std::to_string((high - low).minCoeff() / cells)};
   if (c.analysis.kind == static_) settings.push_back("analysis.method=cg");
   if (c.analysis.kind == frequencies) settings.push_back("analysis.modes=2");
