@@ -16,7 +16,7 @@ namespace plate {
 
 std::optional<LinearStrain> linear_strain(const Problem& problem, const Load& load) {
   constexpr double rounding = 1e-12;
-  constexpr int places = 9;  // along each side
+  constexpr double least = 9, most = 400;  // places along each side, about a spacing apart
   const auto* heat = load.as<Temperature>();
   const double alpha = problem.section.thermal_expansion;
   if (!heat || problem.section.law != PlateLaw::membrane || !problem.stiffeners.empty()) return std::nullopt;
@@ -26,9 +26,13 @@ std::optional<LinearStrain> linear_strain(const Problem& problem, const Load& lo
   const auto at = [&](double a, double b) { return heat->formula(low + geometry::Point(a * size.x(), b * size.y())); };
   const double corner = at(0, 0), along = at(1, 0) - corner, up = at(0, 1) - corner;
   const double largest = std::abs(corner) + std::abs(along) + std::abs(up);
-  for (int i = 0; i < places; ++i)
-    for (int j = 0; j < places; ++j) {
-      const double a = (i + 0.5) / places, b = (j + 0.5) / places;
+  const auto places = [&](double side) {
+    return int(std::clamp(std::ceil(side / problem.discretization.spacing), least, most));
+  };
+  const int columns = places(size.x()), rows = places(size.y());
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const double a = (i + 0.5) / columns, b = (j + 0.5) / rows;
       if (!(std::abs(at(a, b) - corner - a * along - b * up) <= rounding * largest)) return std::nullopt;
     }
   const geometry::Point gradient = alpha * geometry::Point(along / size.x(), up / size.y());

@@ -37,8 +37,8 @@ FrequencySolution solved(const Problem& problem, std::size_t modes, const Commun
   return frequencies(*plate, plate->constraints(), plate->mass(), options);
 }
 
-/// Of several processes as of one; `rigid` motions without resistance, of which rounding is left. Returns the modes of
-/// the ordinary program.
+/// Compares several processes with one; `rigid` motions without resistance, of which rounding is left. Returns the
+/// modes of the ordinary program.
 FrequencySolution check(const Problem& problem, std::size_t modes, std::size_t rigid, const std::vector<int>& counts) {
   const auto whole = solved(problem, modes, single_process());
   const double first = whole.modes[rigid].frequency;
