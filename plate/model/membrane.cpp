@@ -31,7 +31,7 @@ bool has_plane(const Problem& problem) {
 
 std::vector<std::string> warnings_about_axial_stiffness(const Problem& problem) {
   if (has_plane(problem) || std::ranges::none_of(problem.stiffeners, &Stiffener::stretches)) return {};
-  return {"`axial` of stiffeners does nothing, as no load acts in the plane; set `eccentricity` of ribs on one side"};
+  return {"axial of stiffeners does nothing, as no load acts in the plane; set eccentricity of ribs on one side"};
 }
 
 Problem membrane_of(Problem problem) {

@@ -217,7 +217,7 @@ std::vector<std::string> unbalanced_hubs(const std::optional<ReactionSummary>& r
   if (soft == problem.supports.end() || !soft->k_w) return {};
   return {
       fmt::format("reactions balance the loads to {:.1g} % only: springs of hubs this soft are lost in rounding; set "
-                  "`k_w` = {:.1g} or more in `support {}`",
+                  "k_w = {:.1g} or more in `support {}`",
                   100 * reactions->largest_residual, *soft->k_w * reactions->largest_residual / wanted,
                   soft - problem.supports.begin())};
 }

@@ -60,7 +60,8 @@ TEST_CASE("loads move along paths in motions alone") {
   const std::vector<std::string> motion{"analysis.kind=dynamic", "analysis.duration=1", "section.density=1"};
   CHECK(problems(wheel, motion).empty());
   CHECK(problems(wheel).size() == 3);  // path and speed in statics, where a position is missed
-  expect(with_line(wheel, 15, "path = [[-1, 0.3], [3, 0.3]]"), ":15", "load[0].path", "[3, 0.3] given", motion);
+  CHECK(problems(with_line(wheel, 15, "path = [[-1, 0.3], [3, 0.3]]"), motion).empty());  // it drives off
+  expect(with_line(wheel, 15, "path = [[-1, 2], [3, 2]]"), ":15", "load[0].path", "does not cross the plate", motion);
   expect(with_line(wheel, 16, "speed = -2"), ":16", "load[0].speed", "-2 given", motion);
   expect(with_line(wheel, 14, "kind = \"pressure\""), ":15", "load[0].path", "give on", motion);
   expect(wheel + "method = \"lanczos\"\n", ":20", "analysis.method", "loads that move need steps", motion);

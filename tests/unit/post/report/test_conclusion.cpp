@@ -103,8 +103,8 @@ TEST_CASE("conclusion: reactions that rounding leaves beside soft hubs are told,
   problem.supports[1].k_w = 1e-3;
   const auto said = post::unbalanced_hubs(reactions, problem);
   REQUIRE(said.size() == 1);
-  CHECK_THAT(said[0], Catch::Contains("balance the loads to 0.4 % only") &&
-                          Catch::Contains("`k_w` = 0.4 or more in `support 1`"));
+  CHECK_THAT(said[0],
+             Catch::Contains("balance the loads to 0.4 % only") && Catch::Contains("k_w = 0.4 or more in `support 1`"));
   reactions.largest_residual = 1e-4;
   CHECK(post::unbalanced_hubs(reactions, problem).empty());
 }
