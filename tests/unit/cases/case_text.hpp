@@ -38,6 +38,14 @@ inline std::string with_line(std::string text, int line, const std::string& repl
   return text.replace(begin, text.find('\n', begin) - begin, replacement);
 }
 
+/// A plate that moves for 0.4, with a probe far from its support; `more`: lines of its analysis.
+inline std::string probed_motion(const std::string& more = "") {
+  std::string text = plain;
+  text.replace(text.find("kind = \"static\""), 15, "kind = \"dynamic\"\nduration = 0.4\n" + more);
+  text.insert(text.find("thickness"), "density = 1.0\n");
+  return text + "[srif]\n[output]\nfields = []\nprobes = { far = [0.9, 0.0] }\n";
+}
+
 class File {
 public:
   explicit File(const std::string& text) {

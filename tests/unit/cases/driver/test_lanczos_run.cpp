@@ -8,27 +8,17 @@
 #include "tests/unit/post/small_run.hpp"
 
 using case_text::expect;
-using case_text::plain;
-
-namespace {
-
-std::string moving(const std::string& more = "") {
-  std::string text = plain;
-  text.replace(text.find("kind = \"static\""), 15, "kind = \"dynamic\"\nduration = 0.4\n" + more);
-  text.insert(text.find("thickness"), "density = 1.0\n");
-  return text + "[srif]\n[output]\nfields = []\nprobes = { far = [0.9, 0.0] }\n";
-}
-
-}  // namespace
+using case_text::probed_motion;
 
 TEST_CASE("Lanczos vectors: the motion of small steps, row by row") {
   const small_run::TemporaryFolder folder;
   const std::vector<std::string> shared{"output.history_every=0.01"};
   auto settings = shared;
   settings.push_back("analysis.method=central_difference");
-  cases::run(case_text::read(moving(), settings), {folder / "steps", true});
+  cases::run(case_text::read(probed_motion(), settings), {folder / "steps", true});
   settings.back() = "analysis.method=lanczos";
-  const auto summary = cases::run(case_text::read(moving("tolerance = 1e-5\n"), settings), {folder / "vectors", true});
+  const auto summary =
+      cases::run(case_text::read(probed_motion("tolerance = 1e-5\n"), settings), {folder / "vectors", true});
   CHECK(summary.analysis.method == "lanczos");
   CHECK(*summary.analysis.steps == 40);
   CHECK(*summary.analysis.iterations < 200);  // measured 72
@@ -53,14 +43,14 @@ TEST_CASE("Lanczos vectors: the motion of small steps, row by row") {
 TEST_CASE("Lanczos vectors: for graded points unless steps are asked for, what only one of both has is refused") {
   using enum cases::Analysis::Method;
   const auto method = [](const std::vector<std::string>& settings) {
-    return case_text::read(moving(), settings).content.analysis.method;
+    return case_text::read(probed_motion(), settings).content.analysis.method;
   };
   CHECK(method({}) == central_difference);
   CHECK(method({"discretization.tip_spacing=0.01"}) == lanczos);
   CHECK(method({"discretization.tip_spacing=0.01", "analysis.time_step=1e-5"}) == central_difference);
   CHECK(method({"discretization.tip_spacing=0.01", "analysis.method=central_difference"}) == central_difference);
   const auto refused = [](const std::string& key, std::vector<std::string> settings) {
-    const auto found = case_text::problems(moving(), settings);
+    const auto found = case_text::problems(probed_motion(), settings);
     REQUIRE(found.size() == 1);
     CHECK(found[0].key == key);
   };
@@ -68,7 +58,7 @@ TEST_CASE("Lanczos vectors: for graded points unless steps are asked for, what o
   refused("analysis.time_step", {"analysis.method=lanczos", "analysis.time_step=1e-5"});
   refused("analysis.method", {"analysis.method=lanczos", "discretization.formulation=ordinary"});
   refused("analysis.safety", {"analysis.method=lanczos", "analysis.safety=0.5"});
-  const auto resolved = cases::resolved_toml(case_text::read(moving(), {"analysis.method=lanczos"}).content);
+  const auto resolved = cases::resolved_toml(case_text::read(probed_motion(), {"analysis.method=lanczos"}).content);
   CHECK_THAT(resolved, Catch::Contains("tolerance = 0.0003") && !Catch::Contains("safety"));
   CHECK(cases::resolved_toml(case_text::read(resolved).content) == resolved);
 }
@@ -80,7 +70,7 @@ TEST_CASE("Lanczos vectors: what they leave out of the factors counts in the err
     const small_run::TemporaryFolder folder;
     auto all = settings;
     all.push_back("analysis.tolerance=" + tolerance);
-    cases::run(case_text::read(moving(), all), {folder.path(), true});
+    cases::run(case_text::read(probed_motion(), all), {folder.path(), true});
     const auto table = post::read_csv(folder / "srif.csv");
     double result = 0;
     for (const auto& row : table.rows)

@@ -6,20 +6,10 @@
 #include "tests/unit/post/small_run.hpp"
 
 using case_text::plain;
-
-namespace {
-
-std::string moving(const std::string& more = "") {
-  std::string text = plain;
-  text.replace(text.find("kind = \"static\""), 15, "kind = \"dynamic\"\nduration = 0.4\n" + more);
-  text.insert(text.find("thickness"), "density = 1.0\n");
-  return text + "[srif]\n[output]\nfields = []\nprobes = { far = [0.9, 0.0] }\n";
-}
-
-}  // namespace
+using case_text::probed_motion;
 
 TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
-  std::string text = moving("method = \"lanczos\"\n");
+  std::string text = probed_motion("method = \"lanczos\"\n");
   text.replace(text.find("kind = \"clamped\""), 16, "kind = \"free\"");
   const small_run::TemporaryFolder folder;
   CHECK_THROWS_WITH(cases::run(case_text::read(text), {folder.path(), true}),
@@ -34,12 +24,12 @@ TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
 
 TEST_CASE("stiffness damping: Lanczos vectors are chosen where they are to be had, else many steps are told of") {
   const std::vector<std::string> damped{"analysis.damping={mass=0, stiffness=0.2}", "discretization.spacing=0.1"};
-  const cases::Prepared motion(case_text::read(moving(), damped));
+  const cases::Prepared motion(case_text::read(probed_motion(), damped));
   CHECK(motion.file.content.analysis.method == cases::Analysis::Method::lanczos);
   const auto with = [&](const std::string& more) {
     auto all = damped;
     all.push_back(more);
-    return case_text::read(moving(), all).content.analysis.method;
+    return case_text::read(probed_motion(), all).content.analysis.method;
   };
   CHECK(with("analysis.safety=0.9") == cases::Analysis::Method::central_difference);
   CHECK(with("analysis.method=central_difference") == cases::Analysis::Method::central_difference);
@@ -47,18 +37,18 @@ TEST_CASE("stiffness damping: Lanczos vectors are chosen where they are to be ha
   CHECK(with("analysis.damping={mass=0.2, stiffness=0}") == cases::Analysis::Method::central_difference);
   auto steps = damped;
   steps.push_back("analysis.method=central_difference"), steps.push_back("analysis.damping={mass=0, stiffness=20}");
-  const cases::Prepared many(case_text::read(moving(), steps));
+  const cases::Prepared many(case_text::read(probed_motion(), steps));
   CHECK(many.steps->grid.steps > 100000);
   CHECK_THAT(many.warnings.back(), Catch::Contains("shortens the stable step"));
 }
 
 TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to take steps are refused") {
-  const auto found = case_text::problems(moving(), {"srif.accuracy=0.05", "analysis.method=central_difference"});
+  const auto found = case_text::problems(probed_motion(), {"srif.accuracy=0.05", "analysis.method=central_difference"});
   REQUIRE(found.size() == 1);
   CHECK(found[0].key == "srif.accuracy");
   CHECK_THAT(found[0].what, Catch::Contains("Lanczos vectors"));
 
-  std::string free = moving();
+  std::string free = probed_motion();
   free.replace(free.find("kind = \"clamped\""), 16, "kind = \"free\"");
   const small_run::TemporaryFolder folder;
   CHECK_THROWS_WITH(cases::run(case_text::read(free, {"srif.accuracy=0.05"}), {folder / "free", true}),
@@ -68,7 +58,7 @@ TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to tak
 
 TEST_CASE("prepared: a motion has its steps, none above the stable one, and methods where factors are wanted") {
   const std::vector<std::string> coarse{"discretization.spacing=0.1", "analysis.method=central_difference"};
-  const cases::Prepared motion(case_text::read(moving(), coarse));
+  const cases::Prepared motion(case_text::read(probed_motion(), coarse));
   REQUIRE(motion.steps);
   CHECK(motion.steps->limit > 0);
   CHECK(motion.steps->grid.time_step <= motion.steps->limit);
@@ -78,7 +68,7 @@ TEST_CASE("prepared: a motion has its steps, none above the stable one, and meth
   auto asks = coarse;
   asks.push_back("analysis.time_step=1");
   try {
-    const cases::Prepared refused(case_text::read(moving(), asks));
+    const cases::Prepared refused(case_text::read(probed_motion(), asks));
     FAIL("it was taken");
   } catch (const cases::CaseError& error) {
     REQUIRE(error.problems().size() == 1);
@@ -91,9 +81,10 @@ TEST_CASE("prepared: a motion has its steps, none above the stable one, and meth
 
 TEST_CASE("prepared: a load so fast that steps miss points is told, with a speed at which they do not") {
   const auto said = [](const std::string& speed) {
-    const cases::Prepared motion(case_text::read(
-        moving(), {"discretization.spacing=0.1", "geometry.cracks=[]", "-srif",
-                   "load=[{kind='point_force', value=1, path=[[-0.5, 0.0], [0.5, 0.0]], speed=" + speed + "}]"}));
+    const cases::Prepared motion(
+        case_text::read(probed_motion(),
+                        {"discretization.spacing=0.1", "geometry.cracks=[]", "-srif",
+                         "load=[{kind='point_force', value=1, path=[[-0.5, 0.0], [0.5, 0.0]], speed=" + speed + "}]"}));
     return std::ranges::count_if(motion.warnings,
                                  [](const auto& one) { return one.find("load[0].speed = ") != one.npos; });
   };
@@ -102,7 +93,7 @@ TEST_CASE("prepared: a load so fast that steps miss points is told, with a speed
 }
 
 TEST_CASE("prepared: reactions of a damped motion balance its loads from the start on") {
-  std::string text = moving("damping = { mass = 5.0 }\n");
+  std::string text = probed_motion("damping = { mass = 5.0 }\n");
   text.replace(text.find("kind = \"clamped\""), 16, "kind = \"simply_supported\"");
   const small_run::TemporaryFolder folder;
   const auto summary =

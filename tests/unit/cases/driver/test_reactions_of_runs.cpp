@@ -13,7 +13,7 @@ using case_text::plain;
 
 namespace {
 
-std::string moving(const std::string& more) {
+std::string loaded_motion(const std::string& more) {
   std::string text = plain;
   text.replace(text.find("kind = \"static\""), 15, "kind = \"dynamic\"\nduration = 0.3");
   text.insert(text.find("thickness"), "density = 1.0\n");
@@ -59,9 +59,9 @@ TEST_CASE("reactions of a motion: by steps of both formulations and in mixed pre
     for (const std::string kind : {"clamped", "simply_supported", "simply_supported_hard"}) {
       CAPTURE(setting, kind);
       const auto summary = cases::run(
-          case_text::read(moving(""), {setting, "discretization.spacing=0.1",
-                                       "load[0].history=[[0,0],[0.04,1],[0.11,-1],[0.18,1],[0.25,-1],[0.4,0]]",
-                                       "support=[{kind=\"" + kind + "\",edges=[\"left\",\"bottom\"]}]"}),
+          case_text::read(loaded_motion(""), {setting, "discretization.spacing=0.1",
+                                              "load[0].history=[[0,0],[0.04,1],[0.11,-1],[0.18,1],[0.25,-1],[0.4,0]]",
+                                              "support=[{kind=\"" + kind + "\",edges=[\"left\",\"bottom\"]}]"}),
           {folder / "run", true});
       const auto table = post::read_csv(folder / "run" / "reactions.csv");
       CHECK(largest(table, "residual") < most);
@@ -89,7 +89,7 @@ TEST_CASE("reactions of a motion by Lanczos vectors are those of steps") {
   for (const char* method : {"analysis.method=central_difference", "analysis.method=lanczos"}) {
     auto settings = shared;
     settings.push_back(method);
-    cases::run(case_text::read(moving(""), settings), {folder / "run", true});
+    cases::run(case_text::read(loaded_motion(""), settings), {folder / "run", true});
     const auto table = post::read_csv(folder / "run" / "reactions.csv");
     CHECK(largest(table, "residual") < 0.01);
     found.push_back(forces(table));
@@ -160,7 +160,7 @@ TEST_CASE(
   CHECK(still["sanity"]["deflection_over_thickness"].get<double>() * 0.1 ==
         Approx(still["extremes"][0]["value"].get<double>()));
 
-  const auto free = json_of(moving(""), {"support=[]", "discretization.spacing=0.1"});
+  const auto free = json_of(loaded_motion(""), {"support=[]", "discretization.spacing=0.1"});
   CHECK_FALSE(free.contains("reactions"));
   CHECK(free["peaks"].back()["quantity"] == "von_mises");
   CHECK_FALSE(std::filesystem::exists(folder / "run" / "reactions.csv"));

@@ -7,7 +7,7 @@
 
 namespace {
 
-std::multiset<std::string> keys(const plate::Problem& problem) {
+std::multiset<std::string> keys_of_errors(const plate::Problem& problem) {
   std::multiset<std::string> result;
   for (const auto& error : cases::errors_in_section(problem)) result.insert(error.key);
   return result;
@@ -21,15 +21,15 @@ TEST_CASE("section faults: sections that change about a tip") {
   problem.cracks = {{{-0.3, 0}, {0.3, 0}}};
   problem.discretization.spacing = 0.02;
   problem.section = {1000, 0.3, 0.1, 5.0 / 6, 0};
-  CHECK(keys(problem).empty());
+  CHECK(keys_of_errors(problem).empty());
   auto directed = problem;
   directed.section.orthotropic = {1000, 100, 0.3, 50, 50, 50, 0};
-  CHECK(keys(directed).empty());
+  CHECK(keys_of_errors(directed).empty());
   auto varied = problem;
   varied.section.regions.push_back({geometry::Circle{{0.3, 0}, 0.2, ""}, 0.2, {}, {}, {}});
-  CHECK(keys(varied).empty());
+  CHECK(keys_of_errors(varied).empty());
   varied.section.regions.push_back({geometry::Circle{{-0.3, 0}, 0.1, ""}, 0.2, {}, {}, {}});
-  CHECK(keys(varied) == std::multiset<std::string>{"section.regions"});
+  CHECK(keys_of_errors(varied) == std::multiset<std::string>{"section.regions"});
   varied.section.young_factor = plate::Formula("1 + x");
-  CHECK(keys(varied) == std::multiset<std::string>{"section.young_factor"});
+  CHECK(keys_of_errors(varied) == std::multiset<std::string>{"section.young_factor"});
 }

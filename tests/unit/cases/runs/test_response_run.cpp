@@ -43,16 +43,16 @@ Run unresisted_motions(double from, double to, const std::string& damping, std::
               fmt::format("analysis.sweep={{ from = {}, to = {}, count = {} }}", from, to, count)});
 }
 
-double number(const post::Cell& cell) {
+double number_in(const post::Cell& cell) {
   return std::get<double>(cell);
 }
 
 /// Amplitude with its sign or phase of a quantity in the first row that has it.
 std::complex<double> response(const Run& run, const std::string& place, const std::string& quantity, double frequency) {
   for (const auto& row : run.table("response").rows)
-    if (number(row[0]) == frequency && std::get<std::string>(row[1]) == place &&
+    if (number_in(row[0]) == frequency && std::get<std::string>(row[1]) == place &&
         std::get<std::string>(row[2]) == quantity)
-      return std::polar(number(row[3]), number(row[4]) * std::numbers::pi / 180);
+      return std::polar(number_in(row[3]), number_in(row[4]) * std::numbers::pi / 180);
   throw std::out_of_range(quantity);
 }
 
@@ -67,15 +67,15 @@ TEST_CASE("a response at a low frequency is the equilibrium, and its factors are
   CHECK(K1.real() == Approx(tip.K1).epsilon(1e-6));
   CHECK(std::abs(K1.imag()) < 1e-6 * std::abs(tip.K1));
   const auto& probes = at_rest.table("probes").rows;
-  CHECK(response(slow, "a", "w", 1e-6).real() == Approx(number(probes.at(0)[4])).epsilon(1e-7));
+  CHECK(response(slow, "a", "w", 1e-6).real() == Approx(number_in(probes.at(0)[4])).epsilon(1e-7));
   for (const auto& row : at_rest.table("reactions").rows) {
     const auto name = std::get<std::string>(row[1]);
     if (name == "loads") continue;
     const auto force = response(slow, "support " + name, "force", 1e-6);
-    CHECK(force.real() == Approx(number(row[4])).epsilon(1e-6));
+    CHECK(force.real() == Approx(number_in(row[4])).epsilon(1e-6));
     CHECK(std::abs(force.imag()) < 1e-6 * std::abs(force));
     CHECK(response(slow, "support " + name, "moment_x", 1e-6).real() ==
-          Approx(number(row[5])).epsilon(1e-5).margin(1e-6));
+          Approx(number_in(row[5])).epsilon(1e-5).margin(1e-6));
   }
   CHECK(slow.summary.outcome == "done");
   CHECK(slow.summary.resonances.empty());
@@ -102,15 +102,15 @@ TEST_CASE("a response is what a motion under a sine does after long") {
                              "load[0].history=sine", fmt::format("load[0].frequency={:.17g}", frequency),
                              fmt::format("output.history_every={:.17g}", period / 40)});
     const auto& rows = motion.table("probes").rows;
-    const auto at = [&](std::size_t back) { return number(rows.at(rows.size() - 1 - back)[4]); };
+    const auto at = [&](std::size_t back) { return number_in(rows.at(rows.size() - 1 - back)[4]); };
     // of sin at a whole number of periods: w = Re(-i (A + i B)) = B, a quarter before: -A
     const auto w = response(swings, "a", "w", frequency);
     CHECK(at(0) == Approx(w.imag()).margin(1e-3 * std::abs(w)));
     CHECK(at(10) == Approx(-w.real()).margin(1e-3 * std::abs(w)));
     const auto reaction = [&](const std::string& support, double time) {
       for (const auto& row : motion.table("reactions").rows)
-        if (std::abs(number(row[0]) - time) < 1e-6 * period && std::get<std::string>(row[1]) == support)
-          return number(row[4]);
+        if (std::abs(number_in(row[0]) - time) < 1e-6 * period && std::get<std::string>(row[1]) == support)
+          return number_in(row[4]);
       throw std::out_of_range(support);
     };
     for (const auto& support : motion.summary.reactions->supports) {  // measured: 1.8e-4

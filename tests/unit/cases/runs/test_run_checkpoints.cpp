@@ -15,7 +15,7 @@ RunCheckpoints of(const std::filesystem::path& folder, double every, const std::
   return {post::Checkpoints(plate::single_process(), folder, run), every};
 }
 
-RunCheckpoints::SaveState number(int n) {
+RunCheckpoints::SaveState saving(int n) {
   return [n](plate::OutArchive& archive) { archive(n); };
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("keeper: what was kept last comes back to the same run, once") {
   std::vector<std::string> refused;
   CHECK_FALSE(checkpoints.find(refused));
   CHECK_FALSE(checkpoints.restore([](plate::InArchive&) { FAIL("nothing was found"); }));
-  checkpoints.save(number(1), no_points), checkpoints.hold(number(2), no_points);
+  checkpoints.save(saving(1), no_points), checkpoints.hold(saving(2), no_points);
   auto again = of(folder.path(), 1e-9);
   REQUIRE(again.find(refused));
   CHECK(refused.empty());
@@ -54,8 +54,8 @@ TEST_CASE("keeper: before its time it writes nothing but what it is told to, and
   const TemporaryFolder folder;
   auto checkpoints = of(folder.path(), 3600);
   CHECK_FALSE(checkpoints.due());
-  checkpoints.hold(number(7), no_points);
-  checkpoints.hold(number(8), no_points);  // within a second: not taken
+  checkpoints.hold(saving(7), no_points);
+  checkpoints.hold(saving(8), no_points);  // within a second: not taken
   CHECK(folder.entries() == 0);
   checkpoints.write();
   CHECK(folder.entries() == 2);
@@ -70,8 +70,8 @@ TEST_CASE("keeper: before its time it writes nothing but what it is told to, and
 TEST_CASE("keeper: a run goes on where its checkpoint cannot be written") {
   const TemporaryFolder folder;
   auto checkpoints = of(folder / "gone", 1e-9);
-  CHECK_NOTHROW(checkpoints.save(number(1), no_points));
-  CHECK_NOTHROW(checkpoints.save(number(2), no_points));
+  CHECK_NOTHROW(checkpoints.save(saving(1), no_points));
+  CHECK_NOTHROW(checkpoints.save(saving(2), no_points));
   std::vector<std::string> refused;
   CHECK_FALSE(checkpoints.find(refused));
 }

@@ -7,7 +7,7 @@
 
 namespace {
 
-cases::StudyRow row(const std::vector<std::string>& labels, double error, double seconds, double reference = 2) {
+cases::StudyRow study_row(const std::vector<std::string>& labels, double error, double seconds, double reference = 2) {
   cases::StudyRow result;
   result.labels = labels;
   result.quantity = "K1", result.place = "tip 0";
@@ -22,8 +22,8 @@ TEST_CASE("advice: the fastest way to one percent, from the front alone") {
   // 0.05 by adr is beaten by cg in both; 0.025 by cg is the first to 1 %
   const cases::StudyTable study{
       {"spacing", "solver"},
-      {row({"0.1", "cg"}, 0.1, 0.1), row({"0.05", "adr"}, -0.05, 0.9), row({"0.05", "cg"}, 0.04, 0.3),
-       row({"0.025", "cg"}, -0.008, 1.2), row({"0.0125", "cg"}, 0.001, 5)}};
+      {study_row({"0.1", "cg"}, 0.1, 0.1), study_row({"0.05", "adr"}, -0.05, 0.9), study_row({"0.05", "cg"}, 0.04, 0.3),
+       study_row({"0.025", "cg"}, -0.008, 1.2), study_row({"0.0125", "cg"}, 0.001, 5)}};
   const auto ways = cases::front(study);
   REQUIRE(ways.size() == 4);
   for (std::size_t i = 1; i < ways.size(); ++i) {
@@ -39,10 +39,10 @@ TEST_CASE("advice: a way counts by the worst of all problems, and only with an e
   cases::StudyTable study{{"load", "spacing"}, {}};
   for (const std::string load : {"pressure", "moment"}) {
     const double reference = load == "pressure" ? 1 : 3;
-    study.rows.push_back(row({load, "0.1"}, load == "pressure" ? 0.001 : 0.06, 0.1, reference));
-    study.rows.push_back(row({load, "0.05"}, 0.02, load == "pressure" ? 1 : 1.5, reference));
+    study.rows.push_back(study_row({load, "0.1"}, load == "pressure" ? 0.001 : 0.06, 0.1, reference));
+    study.rows.push_back(study_row({load, "0.05"}, 0.02, load == "pressure" ? 1 : 1.5, reference));
   }
-  study.rows.push_back(row({"pressure", "0.025"}, 0.001, 0.01, 1));  // the other load has failed
+  study.rows.push_back(study_row({"pressure", "0.025"}, 0.001, 0.01, 1));  // the other load has failed
   const auto ways = cases::front(study);
   REQUIRE(ways.size() == 2);
   CHECK(ways[0].labels == std::vector<std::pair<std::string, std::string>>{{"spacing", "0.1"}});
@@ -52,7 +52,7 @@ TEST_CASE("advice: a way counts by the worst of all problems, and only with an e
 }
 
 TEST_CASE("advice: none without references") {
-  cases::StudyTable study{{"spacing"}, {row({"0.1"}, 0, 1)}};
+  cases::StudyTable study{{"spacing"}, {study_row({"0.1"}, 0, 1)}};
   study.rows[0].reference.reset();
   CHECK(cases::advice(study).empty());
   const auto json = nlohmann::json::parse(cases::to_json("t", study));

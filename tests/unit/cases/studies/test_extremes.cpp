@@ -4,11 +4,11 @@
 #include "tests/catch.hpp"
 #include "tests/unit/cases/studies/extremes_table.hpp"
 
-using extremes_table::row, extremes_table::Table, extremes_table::w;
+using extremes_table::row, extremes_table::w;
 
 TEST_CASE("all problems of a table are told together") {
-  const Table table(row("a", "") + row("a", "refused = \"x\"\nwarned = \"y\"") +
-                    row("b", "equal = { " + w + "row = \"c\", tolerance = 0 }"));
+  const extremes_table::Table table(row("a", "") + row("a", "refused = \"x\"\nwarned = \"y\"") +
+                                    row("b", "equal = { " + w + "row = \"c\", tolerance = 0 }"));
   try {
     table.read();
     FAIL("no error");

@@ -4,10 +4,10 @@
 #include "tests/catch.hpp"
 #include "tests/unit/cases/studies/extremes_table.hpp"
 
-using extremes_table::row, extremes_table::Table, extremes_table::w;
+using extremes_table::row, extremes_table::w;
 
 TEST_CASE("oracles that hold, and oracles that do not") {
-  const Table table(
+  const extremes_table::Table table(
       row("plain", "value = { " + w + "is = 20, tolerance = 0.5, source = \"about\" }") +
       row("wrong value", "value = { " + w + "is = 1, tolerance = 0.5, source = \"no\" }") +
       row("twice as soft",
@@ -35,10 +35,11 @@ TEST_CASE("oracles that hold, and oracles that do not") {
 }
 
 TEST_CASE("only some rows, with overrides that a row's own prevail over") {
-  const Table table(row("plain", "set = [\"section.young=1000\"]\nvalue = { " + w +
-                                     "is = 20, tolerance = 0.5, source = \"about\" }") +
-                    row("softer", "equal = { " + w + "row = \"plain\", factor = 2, tolerance = 1e-9 }") +
-                    row("third", "refused = \"x\""));
+  const extremes_table::Table table(
+      row("plain",
+          "set = [\"section.young=1000\"]\nvalue = { " + w + "is = 20, tolerance = 0.5, source = \"about\" }") +
+      row("softer", "equal = { " + w + "row = \"plain\", factor = 2, tolerance = 1e-9 }") +
+      row("third", "refused = \"x\""));
   const auto verdicts = table.run("softer", {"section.young=500"});
   REQUIRE(verdicts.size() == 2);  // and the row that it names
   CHECK(verdicts[0].row == "plain");
@@ -50,13 +51,14 @@ TEST_CASE("the discrete energy is conserved up to the stable step, and a longer 
   const std::string moving =
       "\"analysis={kind=\\\"dynamic\\\", duration=1}\", \"section.density=1\", "
       "\"load[0].history=[[0, 1], [0.1, 1], [0.101, 0]]\"";
-  const Table table(row("stable", "set = [" + moving +
-                                      "]\ntime_step_share = 0.99\n"
-                                      "conserved = { after = 0.102, tolerance = 1e-12 }") +
-                    row("loaded", "set = [" + moving +
-                                      "]\ntime_step_share = 0.99\n"
-                                      "conserved = { after = 0, tolerance = 1e-12 }") +
-                    row("above", "set = [" + moving + "]\ntime_step_share = 1.01\nrefused = \"stable limit\""));
+  const extremes_table::Table table(
+      row("stable", "set = [" + moving +
+                        "]\ntime_step_share = 0.99\n"
+                        "conserved = { after = 0.102, tolerance = 1e-12 }") +
+      row("loaded", "set = [" + moving +
+                        "]\ntime_step_share = 0.99\n"
+                        "conserved = { after = 0, tolerance = 1e-12 }") +
+      row("above", "set = [" + moving + "]\ntime_step_share = 1.01\nrefused = \"stable limit\""));
   const auto verdicts = table.run();
   REQUIRE(verdicts.size() == 3);
   CAPTURE(verdicts[0].computed, verdicts[0].message);

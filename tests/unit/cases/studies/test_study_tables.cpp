@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<std::string> axes{"load", "2a/W"};
 
-StudyRow row(const std::string& label, double computed, double reference) {
+StudyRow labelled_row(const std::string& label, double computed, double reference) {
   StudyRow result;
   result.labels = {label};
   result.quantity = "w";
@@ -88,11 +88,11 @@ TEST_CASE("names of folders are safe and differ") {
 }
 
 TEST_CASE("errors are relative to the reference, with its sign") {
-  CHECK(row("a", 3, 2).error() == 0.5);
-  CHECK(row("a", -3, -2).error() == 0.5);
-  CHECK(row("a", 1, -2).error() == -1.5);
-  CHECK_FALSE(row("a", 1, 0).error());
-  auto unknown = row("a", 1, 2);
+  CHECK(labelled_row("a", 3, 2).error() == 0.5);
+  CHECK(labelled_row("a", -3, -2).error() == 0.5);
+  CHECK(labelled_row("a", 1, -2).error() == -1.5);
+  CHECK_FALSE(labelled_row("a", 1, 0).error());
+  auto unknown = labelled_row("a", 1, 2);
   unknown.reference.reset();
   CHECK_FALSE(unknown.error());
 }

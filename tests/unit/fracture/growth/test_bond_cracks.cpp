@@ -10,11 +10,11 @@ namespace vp = verified_plate;
 namespace {
 
 /// 20 x 20 points, with a crack from the left edge to x = -0.5.
-struct Scene {
+struct EdgeCrack {
   std::unique_ptr<plate::Formulation> plate;
   Record record;
 
-  Scene() {
+  EdgeCrack() {
     auto c = vp::square(0.1);
     c.cracks = {{{-1, 0}, {-0.5, 0}}};
     plate = vp::assembled(c);
@@ -27,7 +27,7 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("bond cracks: as they were given until bonds between neighbours break") {
-  Scene s;
+  EdgeCrack s;
   BondCracks cracks(*s.plate);
   cracks.look(0, s.record, 0);
   CHECK(cracks.length() == Approx(0.5));
@@ -45,7 +45,7 @@ TEST_CASE("bond cracks: as they were given until bonds between neighbours break"
 }
 
 TEST_CASE("bond cracks: a tip keeps its number, and has a speed once it has gone eight spacings") {
-  Scene s;
+  EdgeCrack s;
   BondCracks cracks(*s.plate, 3.0);
   cracks.look(0, s.record, 0);
   for (int i = 1; i <= 10; ++i) {
@@ -66,7 +66,7 @@ TEST_CASE("bond cracks: a tip keeps its number, and has a speed once it has gone
 }
 
 TEST_CASE("bond cracks: where a crack forks evenly, both branches are new, and both have come the same way") {
-  Scene s;
+  EdgeCrack s;
   BondCracks cracks(*s.plate, 10.0);
   cracks.look(0, s.record, 0);
   for (int i = 0; i < 10; ++i) cracks.broke({s.across(-0.45 + 0.1 * i)}, 1);
@@ -84,7 +84,7 @@ TEST_CASE("bond cracks: where a crack forks evenly, both branches are new, and b
 }
 
 TEST_CASE("bond cracks: a new crack has tips of new numbers, short ones are no cracks whose factors mean something") {
-  Scene s;
+  EdgeCrack s;
   BondCracks cracks(*s.plate);
   cracks.look(0, s.record, 0);
   for (const double x : {0.15, 0.25}) cracks.broke({s.across(x, 0.6)}, 1);
@@ -102,7 +102,7 @@ TEST_CASE("bond cracks: a new crack has tips of new numbers, short ones are no c
 }
 
 TEST_CASE("bond cracks: cuts are the given cracks, what has parted since, and no gap between them") {
-  Scene s;
+  EdgeCrack s;
   BondCracks cracks(*s.plate);
   CHECK(cracks.cuts().size() == 1);
   for (const double x : {-0.35, -0.25}) cracks.broke({s.across(x)}, 1);  // begins a spacing beyond the tip

@@ -10,7 +10,7 @@ namespace vp = verified_plate;
 
 namespace {
 
-Growth growth(Growth::Criterion criterion) {
+Growth growth_by(Growth::Criterion criterion) {
   Growth result;
   result.criterion = criterion;
   result.fracture_energy = 2;
@@ -39,7 +39,7 @@ TEST_CASE(
     "bond limits: bonds at their limit across a unit of crack take the fracture energy in the mean of its directions") {
   const auto content = vp::square(0.1);
   const auto& d = content.discretization;
-  const BondLimits limits(growth(Growth::Criterion::bond_energy), vp::section, d);
+  const BondLimits limits(growth_by(Growth::Criterion::bond_energy), vp::section, d);
   const auto vectors = plate::full_family(d);
   const auto shapes = plate::bond_shapes(vectors, vp::section, d);
   double mean = 0;
@@ -59,7 +59,7 @@ TEST_CASE(
 TEST_CASE(
     "bond limits: curvatures and shear angles by the fracture energy or as given, a closing bond holds under tension "
     "only") {
-  auto by = growth(Growth::Criterion::curvature_shear);
+  auto by = growth_by(Growth::Criterion::curvature_shear);
   const auto& d = vp::square(0.1).discretization;
   const BondLimits limits(by, vp::section, d);
   CHECK(limits.demand(0, limits.curvature() * 0.2, 0, 0.2, 1) == Approx(1));

@@ -14,11 +14,11 @@ namespace vp = verified_plate;
 namespace {
 
 /// A square of 20 x 20 points, clamped all round, with a crack in its middle.
-struct Scene {
+struct ClampedSquare {
   cases::Case c;
   std::unique_ptr<plate::Formulation> start;
 
-  Scene() {
+  ClampedSquare() {
     c = vp::square(0.1);
     c.cracks = {{{-0.3, 0}, {0.3, 0}}};
     c.supports = {vp::held_all_round(plate::SupportKind::clamped)};
@@ -47,7 +47,7 @@ double energy(const plate::Operator& plate, const plate::State& u) {
 
 TEST_CASE(
     "quasi-static bonds: at the critical load the bonds that are chosen are at their limit, and mirror images too") {
-  const Scene s;
+  const ClampedSquare s;
   auto bonds = s.bonds();
   const auto loaded = bonds.solve();
   CHECK(loaded.split.empty());
@@ -63,7 +63,7 @@ TEST_CASE(
 }
 
 TEST_CASE("quasi-static bonds: what bonds take is what the plate loses under the load that is there") {
-  const Scene s;
+  const ClampedSquare s;
   auto bonds = s.bonds();
   double spent = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -86,7 +86,7 @@ TEST_CASE("quasi-static bonds: what bonds take is what the plate loses under the
 }
 
 TEST_CASE("quasi-static bonds: one that recalls goes on to the same numbers") {
-  const Scene s;
+  const ClampedSquare s;
   auto first = s.bonds(), second = s.bonds();
   const auto step = [](QuasiStaticBonds& bonds, std::size_t i) {
     const auto loaded = bonds.solve();

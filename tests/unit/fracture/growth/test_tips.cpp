@@ -16,7 +16,7 @@ using Catch::Contains;
 namespace {
 
 const plate::Section section{1000, 0.3, 0.5, 5.0 / 6, 0};  // toughness: half the fracture energy
-constexpr double spacing = 0.01;
+constexpr double tip_spacing = 0.01;
 
 /// A crack from the left edge of [0, 6] x [-1, 1]. compliance(a) and its derivative.
 struct Formula {
@@ -38,7 +38,7 @@ class FormulaTips : public QuasiStaticTips {
 public:
   FormulaTips(const Growth& growth, const geometry::Outline& outline, std::vector<geometry::Polyline> cracks,
               Solve solve)
-      : QuasiStaticTips(growth, section, outline, spacing, std::move(cracks)), solve_(std::move(solve)) {}
+      : QuasiStaticTips(growth, section, outline, tip_spacing, std::move(cracks)), solve_(std::move(solve)) {}
 
   const plate::Formulation& plate() const override { throw std::logic_error("a formula has no points"); }
   const plate::Constraints& constraints() const override { return constraints_; }
@@ -144,7 +144,7 @@ TEST_CASE("quasi-static growth: the same crack grows stably with the displacemen
   const double a = way.length.back();
   CHECK(way.displacement.back() == Approx(2));  // of the whole load on the first crack
   // q = P C = 2, P^2 C' / 2 = 1: a^4 = 3
-  CHECK(a == Approx(std::pow(3, 0.25)).margin(spacing));
+  CHECK(a == Approx(std::pow(3, 0.25)).margin(tip_spacing));
   for (std::size_t i = 1; i + 1 < way.length.size(); ++i) CHECK(way.stable[i]);
   CHECK(std::abs(way.grown.ledger.released()) < 0.02 * way.grown.ledger.fracture);
 }
@@ -152,7 +152,7 @@ TEST_CASE("quasi-static growth: the same crack grows stably with the displacemen
 TEST_CASE("quasi-static growth: stable under load where the energy release falls with the length") {
   const auto way = grown({}, held_crack, 1);
   CHECK(way.grown.outcome == "arrested under the whole load");
-  CHECK(way.length.back() == Approx(4).margin(spacing));  // factor 1: G = 2 / sqrt a = 1
+  CHECK(way.length.back() == Approx(4).margin(tip_spacing));  // factor 1: G = 2 / sqrt a = 1
   CHECK(std::all_of(way.stable.begin(), way.stable.end(), [](bool s) { return s; }));
 }
 
@@ -239,9 +239,9 @@ TEST_CASE("quasi-static growth: mirror images at the edge of what goes on togeth
   };
   const auto found = grown(growth, geometry::rectangle(0, -1, 4, 1), {{{1.5, 0}, {2.5, 0}}, {{0, 0.5}, {0.5, 0.5}}},
                            solve, [](const Equilibrium&, const FormulaTips&) {});
-  CHECK(found.cracks[1].back().x() == Approx(0.5 + spacing));
-  CHECK(found.cracks[0].front().x() == Approx(1.5 - spacing));
-  CHECK(found.cracks[0].back().x() == Approx(2.5 + spacing));
+  CHECK(found.cracks[1].back().x() == Approx(0.5 + tip_spacing));
+  CHECK(found.cracks[0].front().x() == Approx(1.5 - tip_spacing));
+  CHECK(found.cracks[0].back().x() == Approx(2.5 + tip_spacing));
 }
 
 TEST_CASE("quasi-static growth: a turn within its error is left away, alike at both tips") {
@@ -290,7 +290,7 @@ TEST_CASE("quasi-static growth: a piece is laid longer until its end tells its d
           const bool first = tip.tip.direction.y() == 0;  // before the first turn
           const double piece = (tip.tip.position - geometry::Point(i == 0 ? 1.5 : 2.5, 0)).norm();
           tip.factors.K2 = first ? (i == 0 ? 1 : -1) * side * 0.3 : 0;
-          if (!first && piece < known_from * spacing * (1 - 1e-9)) tip.errors = {1, 1, 1};
+          if (!first && piece < known_from * tip_spacing * (1 - 1e-9)) tip.errors = {1, 1, 1};
         },
         1);
     CHECK(found.ledger.fracture == Approx(geometry::length(found.cracks[0]) - 1));  // toughness 1
@@ -302,10 +302,10 @@ TEST_CASE("quasi-static growth: a piece is laid longer until its end tells its d
     return back;
   };
   for (const double side : {-1.0, 1.0}) {
-    CHECK(first_piece(0, side).norm() == Approx(5 * spacing));
-    CHECK(first_piece(6, side).norm() == Approx(7.5 * spacing));
-    CHECK(first_piece(10, side).norm() == Approx(10 * spacing));
-    CHECK(first_piece(11, side).norm() == Approx(5 * spacing));  // no length serves
+    CHECK(first_piece(0, side).norm() == Approx(5 * tip_spacing));
+    CHECK(first_piece(6, side).norm() == Approx(7.5 * tip_spacing));
+    CHECK(first_piece(10, side).norm() == Approx(10 * tip_spacing));
+    CHECK(first_piece(11, side).norm() == Approx(5 * tip_spacing));  // no length serves
     CHECK(side * first_piece(6, side).y() > 0);
   }
 }
@@ -317,7 +317,7 @@ TEST_CASE("quasi-static growth: what a longer piece asks for after its turn cont
                  const bool first = tip.tip.direction.y() == 0;
                  const double piece = (tip.tip.position - geometry::Point(i == 0 ? 1.5 : 2.5, 0)).norm();
                  tip.factors.K2 = 0.45;  // 36 degrees
-                 if (!first && piece < known_from * spacing * (1 - 1e-9)) tip.errors = {1, 1, 1};
+                 if (!first && piece < known_from * tip_spacing * (1 - 1e-9)) tip.errors = {1, 1, 1};
                },
                1)
         .outcome;
@@ -348,7 +348,7 @@ TEST_CASE("quasi-static growth: a tip without a ring and without anything ahead 
   });
   grow_quasi_statically(growth, tips, [](const auto&) {});
   CHECK(tips.cracks()[0].front().x() == 1.5);
-  CHECK(tips.cracks()[0].back().x() == Approx(2.5 + 4 * spacing));
+  CHECK(tips.cracks()[0].back().x() == Approx(2.5 + 4 * tip_spacing));
   REQUIRE(tips.warnings().size() == 1);
   CHECK_THAT(tips.warnings()[0], Contains("no room for an energy release rate"));
   const auto& rows = tips.record().tips;

@@ -93,4 +93,12 @@ inline void check(const random_plates::Plate& plate, const Tessellation& cells, 
 
 inline const Grading by_tips{0.03, 0.1, 0.3}, by_fine_tips{1e-4, {}, 0.5};
 
+/// A crack of length 0.6 in the middle of a square plate of side 2.
+inline Tessellation inclined(double degrees, double at_tips, double growth) {
+  const double angle = degrees * std::numbers::pi / 180;
+  const Point end(0.3 * std::cos(angle), 0.3 * std::sin(angle));
+  const auto plate = rectangle(-1, -1, 1, 1);
+  return tessellation(plate, crack_paths(plate, {Polyline{Point(-end), end}}, 1e-9), 0.2, {}, {at_tips, {}, growth});
+}
+
 }  // namespace checked_cells

@@ -7,7 +7,7 @@ using namespace lattices;
 
 namespace {
 
-void check(const GlobalLattice& lattice, const std::vector<int>& counts) {
+void check_shares(const GlobalLattice& lattice, const std::vector<int>& counts) {
   const auto global = lattice.cells();
   CellsPart all{global, {}};
   for (std::uint32_t k = 0; k < global.positions.size(); ++k) all.number.push_back(k);
@@ -32,12 +32,12 @@ void check(const GlobalLattice& lattice, const std::vector<int>& counts) {
 }  // namespace
 
 TEST_CASE("points of a lattice shared out without them: as by all of them, to the last") {
-  for_lattices([](const GlobalLattice& lattice) { check(lattice, {1, 2, 3, 4, 7, 16}); });
+  for_lattices([](const GlobalLattice& lattice) { check_shares(lattice, {1, 2, 3, 4, 7, 16}); });
 }
 
 TEST_CASE("points of a lattice shared out: rows of a plate a few rows high are parted themselves") {
   const auto strip = rectangle(0, 0, 40, 0.3);
   const GlobalLattice lattice(strip, crack_paths(strip, {{{3, 0.15}, {9, 0.15}}}, 1e-9), 0.1, {});
-  check(lattice, {2, 5, 9, 30, 64});
+  check_shares(lattice, {2, 5, 9, 30, 64});
   CHECK(DistributedLattice(lattice, 64).part(63).points > 8);
 }

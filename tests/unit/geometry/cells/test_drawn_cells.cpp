@@ -55,7 +55,7 @@ std::pair<double, double> polygon_on(const Circle& circle, const Drawn& plate) {
 }
 
 /// The plate is filled to its edges, both faces of cracks are borders, and nothing else is.
-void check(const random_plates::Plate& plate, double spacing, double rounding) {
+void check_drawn(const random_plates::Plate& plate, double spacing, double rounding) {
   const auto found = drawn(plate, spacing);
   double wanted = area(plate.outline), rim = 0;
   for (const auto& edge : straight_edges(plate.outline)) rim += (edge.to - edge.from).norm();
@@ -98,7 +98,7 @@ TEST_CASE("drawn cells fill any plate exactly and are open along its cracks") {
   for (unsigned seed = 0; seed < 200; ++seed) {
     const auto plate = random_plates::Maker(seed).plate();
     CAPTURE(seed);
-    for (const double spacing : {0.2, 0.07}) check(plate, spacing, 1e-12);
+    for (const double spacing : {0.2, 0.07}) check_drawn(plate, spacing, 1e-12);
   }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("drawn cells fill plates that are turned and far from the origin") {
     random_plates::Maker maker(seed);
     const auto plate = random_plates::moved(maker.plate(), maker.uniform(0, 6), {1e3, -7e2});
     CAPTURE(seed);
-    check(plate, 0.1, 1e-11);
+    check_drawn(plate, 0.1, 1e-11);
   }
 }
 
@@ -115,19 +115,19 @@ TEST_CASE("drawn cells: cracks along lines of points, across points and between 
   for (const double y : {2.5, 3.0, 3.5, 3.001, 3.4999999})
     for (const double end : {2.5, 2.7, 3.0, 3.5, 8.0}) {
       CAPTURE(y, end);
-      check({rectangle(0, 0, 8, 6), {{{0, y}, {end, y}}}}, 1, 1e-12);
-      check({rectangle(0, 0, 8, 6), {{{1.5, y}, {std::min(end + 0.1, 8.0), y}}, {{4, 0}, {4, 1.5}}}}, 1, 1e-12);
+      check_drawn({rectangle(0, 0, 8, 6), {{{0, y}, {end, y}}}}, 1, 1e-12);
+      check_drawn({rectangle(0, 0, 8, 6), {{{1.5, y}, {std::min(end + 0.1, 8.0), y}}, {{4, 0}, {4, 1.5}}}}, 1, 1e-12);
     }
   for (const double shift : {0.0, 0.25, 0.5, 1e-7, 1e-10}) {
     CAPTURE(shift);
-    check({rectangle(0, 0, 8, 8), {{{1.5, 1.5 + shift}, {6.5, 6.5 + shift}}}}, 1, 1e-11);
+    check_drawn({rectangle(0, 0, 8, 8), {{{1.5, 1.5 + shift}, {6.5, 6.5 + shift}}}}, 1, 1e-11);
   }
 }
 
 TEST_CASE("drawn cells: a plate that is no whole number of spacings is drawn whole") {
   for (const double side : {7.0, 7.3, 7.5, 7.9}) {
     CAPTURE(side);
-    check({rectangle(0, 0, side, 5), {}}, 1, 1e-12);
+    check_drawn({rectangle(0, 0, side, 5), {}}, 1, 1e-12);
   }
 }
 

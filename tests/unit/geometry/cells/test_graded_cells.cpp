@@ -2,18 +2,6 @@
 
 using namespace checked_cells;
 
-namespace {
-
-/// A crack of length 0.6 in the middle of a square plate of side 2.
-Tessellation inclined(double degrees, double at_tips, double growth) {
-  const double angle = degrees * std::numbers::pi / 180;
-  const Point end(0.3 * std::cos(angle), 0.3 * std::sin(angle));
-  const auto plate = rectangle(-1, -1, 1, 1);
-  return tessellation(plate, crack_paths(plate, {Polyline{Point(-end), end}}, 1e-9), 0.2, {}, {at_tips, {}, growth});
-}
-
-}  // namespace
-
 TEST_CASE("graded cells fill any plate, and borders lie on its curves") {
   for (unsigned seed = 0; seed < 300; ++seed) {
     const auto plate = random_plates::Maker(seed).plate();

@@ -2,18 +2,6 @@
 
 using namespace checked_cells;
 
-namespace {
-
-/// A crack of length 0.6 in the middle of a square plate of side 2.
-Tessellation inclined(double degrees, double at_tips, double growth) {
-  const double angle = degrees * std::numbers::pi / 180;
-  const Point end(0.3 * std::cos(angle), 0.3 * std::sin(angle));
-  const auto plate = rectangle(-1, -1, 1, 1);
-  return tessellation(plate, crack_paths(plate, {Polyline{Point(-end), end}}, 1e-9), 0.2, {}, {at_tips, {}, growth});
-}
-
-}  // namespace
-
 TEST_CASE("points may be a million times closer together at tips, at any angle") {
   for (const double ratio : {1e2, 1e3, 1e4, 1e5, 1e6})
     for (int degrees = 0; degrees <= 45; degrees += 5) {

@@ -6,13 +6,13 @@ using namespace geometry;
 namespace {
 
 /// The square [0, 10]^2 with the hole [4, 6] x [4, 6], given counter-clockwise.
-Outline plate_with_square_hole() {
+Outline square_with_square_hole() {
   Outline plate = rectangle(0, 0, 10, 10);
   plate.holes.push_back(Polygon{{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {"s", "e", "n", "w"}});
   return plate;
 }
 
-Outline ell() {
+Outline ell_shape() {
   return {{{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, {}}, {}};
 }
 
@@ -27,8 +27,8 @@ std::string only_error(const Outline& plate) {
 TEST_CASE("faults of outlines say what is wrong and where") {
   using Catch::Contains;
   const auto outer = [](std::vector<Point> vertices) { return only_error({{std::move(vertices), {}}, {}}); };
-  CHECK(errors(plate_with_square_hole()).empty());
-  CHECK(errors(ell()).empty());
+  CHECK(errors(square_with_square_hole()).empty());
+  CHECK(errors(ell_shape()).empty());
   CHECK_THAT(outer({{0, 0}, {1, 0}}), Contains("outline: has 2 vertices"));
   CHECK_THAT(outer({{0, 0}, {1, 0}, {1, 1}, {1, 0}}), Contains("vertices 1 and 3 are both at (1, 0)"));
   CHECK_THAT(outer({{0, 0}, {1, 0}, {2, 0}}), Contains("no area"));

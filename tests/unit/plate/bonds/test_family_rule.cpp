@@ -11,7 +11,7 @@ namespace {
 
 /// Bonds of a full family for which `keep` holds.
 template <typename Keep>
-std::vector<FamilyBond> bonds(const Discretization& d, const Keep& keep) {
+std::vector<FamilyBond> kept_bonds(const Discretization& d, const Keep& keep) {
   std::vector<FamilyBond> result;
   const auto vectors = full_family(d);
   const auto shapes = bond_shapes(vectors, section, d);
@@ -42,10 +42,10 @@ TEST_CASE("family rule: a full family has the plate's energy, and so has what is
       d.surface_correction = correction, d.full_horizon = FullHorizon::lattice;
       const FamilyRule rule(section, d);
       CAPTURE(int(correction), spacing);
-      const auto full = bonds(d, [](const auto&) { return true; });
+      const auto full = kept_bonds(d, [](const auto&) { return true; });
       CHECK(isotropic(rule(full), full) == Approx(plate_energy).epsilon(1e-10));
-      const auto half = bonds(d, [](const auto& x) { return x.x() > -1e-12; });
-      const auto oblique = bonds(d, [](const auto& x) { return x.x() + 0.6 * x.y() > 0; });
+      const auto half = kept_bonds(d, [](const auto& x) { return x.x() > -1e-12; });
+      const auto oblique = kept_bonds(d, [](const auto& x) { return x.x() + 0.6 * x.y() > 0; });
       for (const auto& family : {half, oblique}) {
         const double share = isotropic(rule(family), family) / plate_energy;
         if (correction == none) CHECK(share < 0.75);

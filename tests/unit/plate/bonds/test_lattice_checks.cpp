@@ -7,7 +7,7 @@ using namespace case_text;
 
 namespace {
 
-const std::string bonds = with_line(plain, 9, "spacing = 0.05\nformulation = \"ordinary\"");
+const std::string bonds_case = with_line(plain, 9, "spacing = 0.05\nformulation = \"ordinary\"");
 
 struct Checked {
   std::vector<cases::Problem> problems;
@@ -17,7 +17,7 @@ struct Checked {
 /// What the lattice of a case cannot carry, and what is said of it.
 Checked checked(const std::vector<std::string>& settings) {
   try {
-    return {{}, cases::discretised(read(bonds, settings)).warnings};
+    return {{}, cases::discretised(read(bonds_case, settings)).warnings};
   } catch (const cases::CaseError& error) {
     return {error.problems(), {}};
   }

@@ -11,7 +11,7 @@ using namespace plate;
 
 namespace {
 
-small_plate::Model held(double spacing, bool cracked) {
+small_plate::Model held_top_and_bottom(double spacing, bool cracked) {
   const auto outline = geometry::rectangle(0, 0, 3, 2);
   std::vector<geometry::CrackPath> cracks;
   if (cracked) {
@@ -61,7 +61,7 @@ Eigen::MatrixXd dense_matrix(const Preconditioner& preconditioner, const Unknown
 }  // namespace
 
 TEST_CASE("assembled stiffness: P^T K P, with and without dilatation") {
-  const auto m = held(0.25, true);
+  const auto m = held_top_and_bottom(0.25, true);
   const Eigen::MatrixXd K = small_plate::stiffness(m.plate);
   const Eigen::MatrixXd P = small_plate::prolongation(m.boundary.constraints, K.rows());
   const auto free = unknowns(folded_diagonal(m.plate, m.boundary.constraints));
@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE(
     "for every spacing and thickness",
     "", ShortHorizonPreconditioner, TwoLevelPreconditioner) {
   for (const double h : {0.25, 0.05}) {
-    const auto m = held(0.25, true);
+    const auto m = held_top_and_bottom(0.25, true);
     const auto section = of_thickness(h);
     const auto plate = with(m, section);
     const TestType local(plate, m.boundary, section, m.discretization);
@@ -96,7 +96,7 @@ TEMPLATE_TEST_CASE(
   }
   for (const double spacing : {0.1, 0.05})
     for (const double h : {0.5, 0.1, 0.03}) {
-      const auto m = held(spacing, true);
+      const auto m = held_top_and_bottom(spacing, true);
       const auto section = of_thickness(h);
       const auto plate = with(m, section);
       const TestType local(plate, m.boundary, section, m.discretization);
@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE(
 }
 
 TEST_CASE("assembled plate: one or two iterations, many loads at once") {
-  const auto m = held(0.1, true);
+  const auto m = held_top_and_bottom(0.1, true);
   const AssembledPlate factor(m.plate, m.boundary.constraints, stiffness_matrix(m.plate, true));
   const auto solution = conjugate_gradients(m.plate, m.boundary.constraints, pressure(m), {1e-9, 10, {}}, &factor);
   CHECK(solution.converged);

@@ -16,7 +16,7 @@ namespace gp = galerkin_plate;
 namespace {
 
 /// All degrees of freedom.
-Eigen::MatrixXd dense(const PointMatrix& matrix) {
+Eigen::MatrixXd dense_point_matrix(const PointMatrix& matrix) {
   const auto size = Eigen::Index(3 * matrix.points());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t k = 0; k < matrix.points(); ++k)
@@ -44,7 +44,8 @@ Eigen::MatrixXd by_products(const Operator& plate) {
 }
 
 /// A held plate with edges at angles to the axes, where rotations follow each other.
-Boundary held(const geometry::Tessellation& cells, const GalerkinFamilies& families, const geometry::Outline& outline) {
+Boundary held_boundary(const geometry::Tessellation& cells, const GalerkinFamilies& families,
+                       const geometry::Outline& outline) {
   return galerkin_boundary(cells, families.areas, geometry::to_lattice(outline, cells.units),
                            {{SupportKind::simply_supported_hard, {"edge0", "edge2"}, {}}});
 }
@@ -59,7 +60,7 @@ TEST_CASE("stiffness of the Galerkin plate: what its products say, by blocks") {
   for (const auto& cells : gp::scenes()) {
     const GalerkinOperator op(gp::families(cells), gp::section);
     const Eigen::MatrixXd K = by_products(op);
-    CHECK((dense(stiffness_matrix(op)) - K).cwiseAbs().maxCoeff() <
+    CHECK((dense_point_matrix(stiffness_matrix(op)) - K).cwiseAbs().maxCoeff() <
           1e-13 * K.cwiseAbs().maxCoeff());  // measured: 4e-16
   }
 }
@@ -68,7 +69,7 @@ TEST_CASE("folded stiffness: P^T K P where rotations at an oblique edge follow e
   const auto outline = kite();
   const auto cells = gp::cells(outline, 0.125);
   const GalerkinOperator op(gp::families(cells), gp::section);
-  const auto boundary = held(cells, op.families(), outline);
+  const auto boundary = held_boundary(cells, op.families(), outline);
   REQUIRE(!boundary.constraints.ties().empty());
   const Eigen::MatrixXd P = small_plate::prolongation(boundary.constraints, Eigen::Index(3 * op.points()));
   const Eigen::MatrixXd expected = P.transpose() * by_products(op) * P;

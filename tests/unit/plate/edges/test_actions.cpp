@@ -8,7 +8,7 @@ using namespace edge_bodies;
 
 namespace {
 
-const Section section{200, 0.25, 0.3};
+const Section thin_section{200, 0.25, 0.3};
 
 Discretization lattice() {
   Discretization d;
@@ -30,19 +30,19 @@ Eigen::VectorXd everywhere(const LatticeBody& b, double spacing,
 }  // namespace
 
 TEST_CASE("actions of a surface plate: rigid motions cause none") {
-  const auto bonds = lattice_bonds(section, lattice());
+  const auto bonds = lattice_bonds(thin_section, lattice());
   const auto b = box_body({5, 4}, bonds.reach);
   for (const auto rule : {FluxRule::lever, FluxRule::crossing_point}) {
     const auto a = actions(b, bonds, rule);
     const auto u = everywhere(b, 0.5, [](double x, double y) { return Eigen::Vector3d(1 + 2 * x - y, -1, -2); });
     const Eigen::VectorXd theta = a.dilatation * u;
-    CHECK(theta.cwiseAbs().maxCoeff() < 1e-12);                              // measured: 3e-16
-    CHECK((a.of_values * u).cwiseAbs().maxCoeff() < 1e-10 * section.young);  // measured: 3e-14
+    CHECK(theta.cwiseAbs().maxCoeff() < 1e-12);                                   // measured: 3e-16
+    CHECK((a.of_values * u).cwiseAbs().maxCoeff() < 1e-10 * thin_section.young);  // measured: 3e-14
   }
 }
 
 TEST_CASE("actions of a surface plate: what goes in through the faces is what the real nodes are pulled with") {
-  const auto bonds = lattice_bonds(section, lattice());
+  const auto bonds = lattice_bonds(thin_section, lattice());
   const auto b = box_body({5, 4}, bonds.reach);
   const auto a = actions(b, bonds, FluxRule::crossing_point);
   const auto u = everywhere(b, 0.5, [](double x, double y) { return Eigen::Vector3d(x * x * y, 0.3 * y * y, -x * y); });
@@ -59,9 +59,9 @@ TEST_CASE("actions of a surface plate: what goes in through the faces is what th
 TEST_CASE("actions of a surface plate: constant bending is a moment through every face, and nothing inside") {
   auto d = lattice();
   d.volume_correction = VolumeCorrection::lattice_fitted;
-  const auto bonds = lattice_bonds(section, d);
+  const auto bonds = lattice_bonds(thin_section, d);
   const auto b = box_body({5, 4}, bonds.reach);
-  const double D = section.bending_stiffness();
+  const double D = thin_section.bending_stiffness();
   for (const auto rule : {FluxRule::lever, FluxRule::crossing_point}) {
     const auto a = actions(b, bonds, rule);
     // psi = (x, 0): theta_y = -x
@@ -76,7 +76,7 @@ TEST_CASE("actions of a surface plate: constant bending is a moment through ever
       const Eigen::Vector3d through = f.segment<3>(3 * (b.real + s)) / 0.5;
       // M_nn = -D on faces across x, -nu D on those across y
       const Eigen::Vector3d expected = face.axis == 0 ? Eigen::Vector3d(0, 0, -face.side * D)
-                                                      : Eigen::Vector3d(0, face.side * section.poisson * D, 0);
+                                                      : Eigen::Vector3d(0, face.side * thin_section.poisson * D, 0);
       CHECK((through - expected).norm() < 1e-10 * D);  // measured: 1e-14
     }
   }

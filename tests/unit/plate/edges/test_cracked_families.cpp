@@ -9,14 +9,15 @@ using geometry::Point;
 
 namespace {
 
-const Section section{200, 0.25, 0.3};
+const Section cracked_section{200, 0.25, 0.3};
 
 /// 12 x 10 points with a crack between the fifth and the sixth row.
 SurfacePlate cracked(SurfaceCorrection correction, const geometry::Polyline& crack = {{4, 5}, {8, 5}}) {
   Discretization d;
   d.spacing = 0.5, d.surface_correction = correction;
-  auto p = surface_plate(section, d, {0, 0}, {6, 5});
-  p.cuts = CrackedFamilies(p.body, p.bonds, FamilyRule(section, d), {{crack, geometry::End::tip, geometry::End::tip}});
+  auto p = surface_plate(cracked_section, d, {0, 0}, {6, 5});
+  p.cuts = CrackedFamilies(p.body, p.bonds, FamilyRule(cracked_section, d),
+                           {{crack, geometry::End::tip, geometry::End::tip}});
   return p;
 }
 
@@ -61,8 +62,8 @@ TEST_CASE("cut families: position-aware weights store the energy of constant cur
     dilatation += half.D * s, couple += half.dilatation_couple * s;
   }
   const double area = p.bonds.spacing * p.bonds.spacing;
-  CHECK((bending + couple * dilatation) / area == Approx(section.bending_stiffness()).epsilon(1e-12));
-  CHECK(shear / area == Approx(section.shear_stiffness()).epsilon(1e-12));
+  CHECK((bending + couple * dilatation) / area == Approx(cracked_section.bending_stiffness()).epsilon(1e-12));
+  CHECK(shear / area == Approx(cracked_section.shear_stiffness()).epsilon(1e-12));
 }
 
 TEST_CASE("cut families: a bond is the same from both ends, and that of full families is the lattice's") {
@@ -90,6 +91,6 @@ TEST_CASE("cut families: rigid motions cause no force in a plate with a crack") 
       const Point x = i < p.body.real ? p.at(i) : p.at_surface(i - p.body.real);
       u.segment<3>(3 * i) << 1 + 2 * x.x() - x.y(), -1, -2;
     }
-    CHECK((stiffness(p) * u).cwiseAbs().maxCoeff() < 1e-12 * section.young);  // measured: 1.4e-15
+    CHECK((stiffness(p) * u).cwiseAbs().maxCoeff() < 1e-12 * cracked_section.young);  // measured: 1.4e-15
   }
 }

@@ -9,12 +9,12 @@ using geometry::Point;
 
 namespace {
 
-const Section section{200, 0.25, 0.3};
+const Section multiplied_section{200, 0.25, 0.3};
 
 SurfacePlate small_plate(double width = 2, double height = 1.5) {
   Discretization d;
   d.spacing = 0.25;
-  return surface_plate(section, d, {0, 0}, {width, height});
+  return surface_plate(multiplied_section, d, {0, 0}, {width, height});
 }
 
 /// w = 1; w = x, theta_y = -1; w = y, theta_x = 1: of real nodes, then of surface nodes.
@@ -46,8 +46,8 @@ TEST_CASE("multiplied plate: rigid motions cause no force and no flux, and value
     motions.topRows(real + surface) = rigid(p);
     const double force = (made.stiffness * motions).cwiseAbs().maxCoeff();
     INFO(force);
-    CHECK(force < 1e-11 * section.young);            // measured: 1.4e-16
-    CHECK(made.idle.size() == (holds ? 3 * 4 : 0));  // one of each pair at each corner
+    CHECK(force < 1e-11 * multiplied_section.young);  // measured: 1.4e-16
+    CHECK(made.idle.size() == (holds ? 3 * 4 : 0));   // one of each pair at each corner
   }
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("multiplied plate: multipliers of fluxes have no resultant, those of v
         resultants.row(i) -= motions.row(real + i);
     const double most = resultants.cwiseAbs().maxCoeff();
     INFO(most);
-    CHECK(most < 1e-11 * (holds ? 1 : section.young));  // measured: 1.4e-16, 4.4e-16
+    CHECK(most < 1e-11 * (holds ? 1 : multiplied_section.young));  // measured: 1.4e-16, 4.4e-16
   }
 }
 

@@ -10,7 +10,7 @@ using geometry::Point;
 
 namespace {
 
-const Section section{1000, 0.3, 0.2};
+const Section row_section{1000, 0.3, 0.2};
 
 /// A square of `side` turned by an angle with the tangent 3 / 4.
 geometry::Outline turned(double side) {
@@ -23,7 +23,7 @@ geometry::Outline turned(double side) {
 SurfacePlate made(const geometry::Outline& outline) {
   Discretization d;
   d.spacing = 0.1, d.volume_correction = VolumeCorrection::lattice_fitted;
-  return surface_plate(section, d, outline);
+  return surface_plate(row_section, d, outline);
 }
 
 Eigen::VectorXd values(const SurfacePlate& p, const std::function<Eigen::Vector3d(const Point&)>& field) {
@@ -37,8 +37,8 @@ Eigen::VectorXd values(const SurfacePlate& p, const std::function<Eigen::Vector3
 
 TEST_CASE("oblique rows: section forces of bending about an axis, of twist and of shear, times lengths") {
   const auto p = made(turned(1));
-  const WeightRows rows = section_force_rows(p.body, *p.oblique, section, 0.1);
-  const double D = section.bending_stiffness(), S = section.shear_stiffness();
+  const WeightRows rows = section_force_rows(p.body, *p.oblique, row_section, 0.1);
+  const double D = row_section.bending_stiffness(), S = row_section.shear_stiffness();
   // psi = (x, 0), w = x^2 / 2: M_xx = -D, M_yy = -nu D; psi = (y, x), w = x y: M_xy = -(1 - nu) D; w = x: Q_x = S
   const Eigen::VectorXd bent = rows *
                                values(p, [](const Point&x) { return Eigen::Vector3d(x.x() * x.x() / 2, 0, -x.x()); }),
@@ -62,7 +62,7 @@ TEST_CASE("oblique rows: section forces of bending about an axis, of twist and o
 TEST_CASE("oblique rows: what bonds beyond the edges do balances what all bonds do to the points") {
   const auto p = made(turned(1));
   const std::vector<PrescribedOfNode> clamped(std::size_t(p.surfaces()), {true, true, true});
-  const auto K = oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, section, clamped);
+  const auto K = oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, row_section, clamped);
   const Eigen::VectorXd any = Eigen::VectorXd::Random(p.unknowns()), force = K * any;
   Eigen::Vector3d sum(0, 0, 0);  // about the origin
   double size = 0;
@@ -79,13 +79,13 @@ TEST_CASE("oblique rows: what bonds beyond the edges do balances what all bonds 
 TEST_CASE("oblique rows: a rotation that is held alone is a row of the stiffness") {
   const auto p = made(turned(1));
   const std::vector<PrescribedOfNode> hard(std::size_t(p.surfaces()), {true, false, true});
-  const auto K = oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, section, hard);
+  const auto K = oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, row_section, hard);
   const Eigen::VectorXd any = Eigen::VectorXd::Random(p.unknowns()), forces = K * any;
   for (int s = 0; s < p.surfaces(); ++s) {
     const Point second = turning_directions(p.normal(s))[1];
     const int row = 3 * (p.body.real + s) + 1;
     CHECK(second.dot(forces.segment<2>(row)) ==
-          Approx(section.bending_stiffness() * second.dot(any.segment<2>(row))).margin(1e-9));
+          Approx(row_section.bending_stiffness() * second.dot(any.segment<2>(row))).margin(1e-9));
   }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("oblique rows: corners too sharp for edges that are not clamped are re
   const auto p = made(triangle);
   const auto count = std::size_t(p.surfaces());
   const auto stiffness = [&](const PrescribedOfNode& held) {
-    return oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, section, std::vector(count, held));
+    return oblique_stiffness(p.body, p.bonds, p.cuts, *p.oblique, row_section, std::vector(count, held));
   };
   CHECK(stiffness({true, true, true}).nonZeros() > 0);
   CHECK_THROWS_AS(stiffness({false, false, false}), Refused);

@@ -30,7 +30,7 @@ Problem square(std::vector<Support> supports, std::vector<Load> loads, double sp
 
 const std::vector<std::string> all{"left", "right", "bottom", "top"};
 
-Load pressure() {
+Load unit_pressure() {
   return {Pressure{.value = 1}};
 }
 
@@ -59,7 +59,7 @@ Subject refused(const Problem& problem, const FormulationKind& kind = bonds_with
 }  // namespace
 
 TEST_CASE("surface nodes: a problem has the solution of the plate that it is made of") {
-  const auto problem = square({{SupportKind::clamped, all, {}}}, {pressure()});
+  const auto problem = square({{SupportKind::clamped, all, {}}}, {unit_pressure()});
   const auto made = bonds_with_surface_nodes.discretise(problem, single_process());
   const State state = solved(*made.plate);
   const auto plate = surface_plate(problem.section, problem.discretization, {-1, -1}, {1, 1});
@@ -73,8 +73,8 @@ TEST_CASE("surface nodes: a problem has the solution of the plate that it is mad
 }
 
 TEST_CASE("surface nodes: reactions of held edges are the load") {
-  const auto made =
-      bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {pressure()}), single_process());
+  const auto made = bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {unit_pressure()}),
+                                                        single_process());
   Forces force;
   made.plate->internal_force(solved(*made.plate), force);
   const Eigen::VectorXd held = made.plate->constraints().on_held(force);
@@ -103,7 +103,7 @@ TEST_CASE("surface nodes: moments on opposite edges bend the plate alike everywh
 }
 
 TEST_CASE("surface nodes: values beside a crack are read off its own side, and a piece that cracks cut out is loose") {
-  auto problem = square({{SupportKind::clamped, all, {}}}, {pressure()}, 0.125);
+  auto problem = square({{SupportKind::clamped, all, {}}}, {unit_pressure()}, 0.125);
   problem.cracks = {{{-0.5, 0}, {0.5, 0}}};
   const auto made = bonds_with_surface_nodes.discretise(problem, single_process());
   const auto& at = made.plate->cloud().positions;
@@ -129,17 +129,17 @@ TEST_CASE("surface nodes: a load on a part of a side that is not whole cells is 
 
 TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   const std::vector<Support> clamp{{SupportKind::clamped, all, {}}};
-  auto cracked = square(clamp, {pressure()});
+  auto cracked = square(clamp, {unit_pressure()});
   cracked.cracks = {{{-0.3, 0}, {0.3, 0}}};  // 0.7 from the edges, the horizon being 0.754
   CHECK(refused(cracked) == Subject::cracks);
   cracked.cracks = {{{-1, 0}, {0, 0}}};
   CHECK(refused(cracked) == Subject::cracks);
   cracked.cracks = {{{-0.2, 0}, {0.2, 0}}};
   CHECK(bonds_with_surface_nodes.discretise(cracked, single_process()).plate->tips().size() == 2);
-  auto round = square(clamp, {pressure()});
+  auto round = square(clamp, {unit_pressure()});
   round.outline.holes.push_back(geometry::Circle{{0, 0}, 0.3, "hole"});
   CHECK(refused(round) == Subject::geometry);
-  auto holed = square(clamp, {pressure()}, 0.125);
+  auto holed = square(clamp, {unit_pressure()}, 0.125);
   const auto hole = [](double half) {
     return geometry::Polygon{{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, {"h", "h", "h", "h"}};
   };
@@ -149,16 +149,16 @@ TEST_CASE("surface nodes: what they cannot carry is refused with the reason") {
   CHECK(bonds_with_surface_nodes.discretise(holed, single_process()).plate->held());
   holed.outline.holes = {hole(0.7)};
   CHECK(refused(holed) == Subject::spacing);  // 0.3 of plate about it, a horizon being 0.377
-  CHECK(refused(square({{SupportKind::clamped_layer, all, {}}}, {pressure()})) == Subject::support);
+  CHECK(refused(square({{SupportKind::clamped_layer, all, {}}}, {unit_pressure()})) == Subject::support);
   CHECK(refused(square(clamp, {moment({"left"}, 1)})) == Subject::load_edges);
-  CHECK(refused(square(clamp, {pressure()}, 2 / 8.51)) == Subject::spacing);
-  CHECK(!bonds_with_surface_nodes.discretise(square({}, {pressure()}), single_process()).plate->held());
-  CHECK(bonds_with_surface_nodes.discretise(square(clamp, {pressure()}), single_process()).plate->held());
+  CHECK(refused(square(clamp, {unit_pressure()}, 2 / 8.51)) == Subject::spacing);
+  CHECK(!bonds_with_surface_nodes.discretise(square({}, {unit_pressure()}), single_process()).plate->held());
+  CHECK(bonds_with_surface_nodes.discretise(square(clamp, {unit_pressure()}), single_process()).plate->held());
 }
 
 TEST_CASE("surface nodes: on oblique edges and round holes reactions are the load, whatever holds them") {
   using enum SupportKind;
-  auto problem = square({}, {pressure()}, 0.1);
+  auto problem = square({}, {unit_pressure()}, 0.1);
   problem.outline.outer = {{{-1, -0.8}, {0.9, -1}, {1, 0.7}, {-0.7, 1}}, all};
   problem.outline.holes.push_back(geometry::Circle{{0, 0}, 0.35, "hole"});
   for (const auto kind : {clamped, simply_supported_hard, simply_supported}) {
@@ -183,8 +183,8 @@ TEST_CASE("surface nodes: a small plate tells that no motion grows with these ed
   const auto free = bonds_with_surface_nodes.discretise(
       square({{SupportKind::pinned, {}, {{-0.9, -0.9}, {0.9, -0.9}, {0.1, 0.9}}}}, {moment({"left", "right"}, 2)}),
       single_process());
-  const auto clamped =
-      bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {pressure()}), single_process());
+  const auto clamped = bonds_with_surface_nodes.discretise(square({{SupportKind::clamped, all, {}}}, {unit_pressure()}),
+                                                           single_process());
   const auto of_clamped = clamped.plate->of_edges();
   CHECK(free.plate->of_edges() != of_clamped);
   for (const auto& text : {free.plate->of_edges(), of_clamped}) {
@@ -195,7 +195,7 @@ TEST_CASE("surface nodes: a small plate tells that no motion grows with these ed
 
 TEST_CASE(
     "fictitious nodes: a problem has the solution of the plate that it is made of, and its reactions are the load") {
-  auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {pressure()}, 0.1);
+  auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {unit_pressure()}, 0.1);
   problem.discretization.formulation = &bonds_with_fictitious_nodes;
   const auto made = bonds_with_fictitious_nodes.discretise(problem, single_process());
   const State state = solved(*made.plate);
@@ -221,7 +221,7 @@ TEST_CASE(
 }
 
 TEST_CASE("fictitious nodes: the value at an edge that is free to turn is that of the points behind it") {
-  auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {pressure()}, 0.1);
+  auto problem = square({{SupportKind::simply_supported_hard, all, {}}}, {unit_pressure()}, 0.1);
   problem.discretization.formulation = &bonds_with_fictitious_nodes;
   const auto made = bonds_with_fictitious_nodes.discretise(problem, single_process());
   const State state = solved(*made.plate);
@@ -236,7 +236,7 @@ TEST_CASE("fictitious nodes: the value at an edge that is free to turn is that o
 
 TEST_CASE("fictitious nodes: horizons that are wide for soft and free edges, or for the plate, are refused") {
   const auto with = [](SupportKind kind, std::vector<std::string> edges, double thickness, double spacing) {
-    auto problem = square({{kind, std::move(edges), {}}}, {pressure()}, spacing);
+    auto problem = square({{kind, std::move(edges), {}}}, {unit_pressure()}, spacing);
     problem.section.thickness = thickness, problem.discretization.formulation = &bonds_with_fictitious_nodes;
     return problem;
   };

@@ -9,12 +9,12 @@ using geometry::Point;
 
 namespace {
 
-const Section section{200, 0.25, 0.3};
+const Section surface_section{200, 0.25, 0.3};
 
 SurfacePlate small_plate(double width = 2, double height = 1.5) {
   Discretization d;
   d.spacing = 0.25;
-  return surface_plate(section, d, {0, 0}, {width, height});
+  return surface_plate(surface_section, d, {0, 0}, {width, height});
 }
 
 Eigen::Vector3d pressure(const Point&) {
@@ -63,7 +63,7 @@ TEST_CASE("surface plate: reactions of a clamped plate under pressure are its lo
 TEST_CASE("surface plate: an edge beyond the points carries its strip's load") {
   Discretization d;
   d.spacing = 0.25;
-  auto p = surface_plate(section, d, {0, 0}, {2.05, 1.5});
+  auto p = surface_plate(surface_section, d, {0, 0}, {2.05, 1.5});
   const auto all_free = [](const Point&, const Point&) { return edge_condition(SupportKind::free); };
   const auto right = edge_problem(p, all_free, pressure).right;
   double sum = 0;

@@ -12,13 +12,13 @@ using plate::State;
 
 namespace {
 
-constexpr Eigen::Index points = 4;  // 12 degrees of freedom
+constexpr Eigen::Index constrained_points = 4;  // 12 degrees of freedom
 
 /// P column by column: the action on unit vectors.
 Eigen::MatrixXd action(const Constraints& constraints) {
-  Eigen::MatrixXd P(3 * points, 3 * points);
+  Eigen::MatrixXd P(3 * constrained_points, 3 * constrained_points);
   for (Eigen::Index n = 0; n < P.cols(); ++n) {
-    State unit = State::Zero(3, points);
+    State unit = State::Zero(3, constrained_points);
     plate::at_dof(unit, dof_by_points(n)) = 1;
     constraints.impose(unit);
     P.col(n) = unit.reshaped();
@@ -76,7 +76,7 @@ TEST_CASE("a fixed degree of freedom that is also tied stays fixed") {
 
 TEST_CASE("impose is a projection, a free state stays as it is") {
   const Constraints c = several();
-  State u = small_plate::random_state(points, 3);
+  State u = small_plate::random_state(constrained_points, 3);
   const State before = u;
   c.impose(u);
   CHECK(plate::at_dof(u, dof_by_points(0)) == 0);
@@ -93,7 +93,7 @@ TEST_CASE("folds are the transposes that they say") {
   Eigen::MatrixXd P = action(c);
   for (int dof = 0; dof < 12; ++dof)
     if (c.held(d(dof))) P.col(dof).setZero();
-  const Forces f = small_plate::random_state(points, 4);
+  const Forces f = small_plate::random_state(constrained_points, 4);
 
   Forces folded = f, absolute = f, diagonal = f;
   c.fold(folded);
@@ -113,10 +113,10 @@ TEST_CASE("a symmetric stiffness stays symmetric") {
   const Eigen::MatrixXd K = half + half.transpose();
   Eigen::MatrixXd reduced(12, 12);
   for (Eigen::Index n = 0; n < 12; ++n) {
-    State unit = State::Zero(3, points);
+    State unit = State::Zero(3, constrained_points);
     if (!c.held(dof_by_points(n))) plate::at_dof(unit, dof_by_points(n)) = 1;
     c.impose(unit);
-    Forces f(3, points);
+    Forces f(3, constrained_points);
     f.reshaped() = K * unit.reshaped();
     c.fold(f);
     reduced.col(n) = f.reshaped();
@@ -151,7 +151,8 @@ private:
 }  // namespace
 
 TEST_CASE("what follows own points is there at once, what is of others or follows them once that has come") {
-  const State given = small_plate::random_state(points, 8), theirs = small_plate::random_state(points, 9);
+  const State given = small_plate::random_state(constrained_points, 8),
+              theirs = small_plate::random_state(constrained_points, 9);
   const auto others = std::make_shared<FromOthers>(theirs);
   Constraints c;
   c.fix(d(1)), c.fix(d(7));               // own, and a copy: zero whatever comes
@@ -160,7 +161,7 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   c.tie(d(10), {{d(0), 3}});              // a copy follows own
   c.resolve();
   c.share(plate::single_process(), {2, 3}, others);
-  CHECK(c.pending(points) == std::vector<char>{0, 1, 1, 1});
+  CHECK(c.pending(constrained_points) == std::vector<char>{0, 1, 1, 1});
 
   State whole = given, halves = given;
   c.impose(whole);
@@ -191,7 +192,7 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
   CHECK(halves == whole);
   CHECK(others->begun == 3);
 
-  Forces f = Forces::Ones(3, points);
+  Forces f = Forces::Ones(3, constrained_points);
   c.fold(f);
   CHECK(f(0, 0) == 1 + 1 + 3);  // of what follows it, whoever's that is
   CHECK(f.rightCols(2).isZero());
@@ -200,8 +201,8 @@ TEST_CASE("what follows own points is there at once, what is of others or follow
 
 TEST_CASE("one process waits for nothing") {
   const Constraints c = several();
-  CHECK(c.pending(points).empty());
-  State u = small_plate::random_state(points, 3), imposed = u;
+  CHECK(c.pending(constrained_points).empty());
+  State u = small_plate::random_state(constrained_points, 3), imposed = u;
   c.impose(imposed);
   plate::PendingExchange rest(c, u);
   CHECK(u == imposed);

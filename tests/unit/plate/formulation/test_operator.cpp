@@ -19,7 +19,7 @@ private:
   mutable std::span<double> values_;
 };
 
-class Spring : public Operator {
+class SpringOperator : public Operator {
 public:
   std::size_t points() const override { return 2; }
   void internal_force(const State& state, Forces& forces) const override { forces = -2 * state; }
@@ -37,7 +37,7 @@ TEST_CASE("an operator that knows nothing of what a state waits for waits first"
   Forces forces;
   PendingExchange rest(constraints, state);
   CHECK(state(0, 1) == 1);
-  const Spring spring;
+  const SpringOperator spring;
   const Operator& op = spring;
   op.internal_force_overlapped(state, rest, forces);
   CHECK(state(0, 1) == 5);

@@ -15,7 +15,7 @@ small_plate::Model perforated() {
 }
 
 template <typename Field>
-Resultants of(const small_plate::Model& m, const Field& field) {
+Resultants resultants_of(const small_plate::Model& m, const Field& field) {
   State state(3, m.points());
   for (Eigen::Index k = 0; k < state.cols(); ++k) state.col(k) = field(m.boundary.cloud.positions[std::size_t(k)]);
   const auto& b = m.boundary;
@@ -28,7 +28,7 @@ TEST_CASE("thin plate with constant curvatures and twist: exact moments, no shea
   const auto m = perforated();
   // w = -(a x^2 + b y^2) / 2 - c x y; strains z (a, b, 2 c) with theta_y = -w,x and theta_x = w,y
   const double a = 0.3, b = -0.7, c = 0.45;
-  const auto r = of(m, [&](const geometry::Point& p) {
+  const auto r = resultants_of(m, [&](const geometry::Point& p) {
     return Eigen::Vector3d(-(a * p.x() * p.x() + b * p.y() * p.y()) / 2 - c * p.x() * p.y(), -b * p.y() - c * p.x(),
                            a * p.x() + c * p.y());
   });
@@ -59,8 +59,8 @@ TEST_CASE("von Mises of stresses whose squares are beyond double precision") {
 TEST_CASE("constant shear angles: exact shear forces and no moments") {
   const auto m = perforated();
   // gamma_xz = w,x + theta_y = 0.2 + 0.3, gamma_yz = w,y - theta_x = -0.1 - 0.4
-  const auto r =
-      of(m, [](const geometry::Point& p) { return Eigen::Vector3d(5 + 0.2 * p.x() - 0.1 * p.y(), 0.4, 0.3); });
+  const auto r = resultants_of(
+      m, [](const geometry::Point& p) { return Eigen::Vector3d(5 + 0.2 * p.x() - 0.1 * p.y(), 0.4, 0.3); });
   const double G = section.young / 2.6;
   const Eigen::Vector2d expected = 5.0 / 6 * G * section.thickness * Eigen::Vector2d(0.5, -0.5);
   CHECK((r.shear.colwise() - expected).cwiseAbs().maxCoeff() < 1e-11);  // measured: 3e-13
@@ -71,7 +71,8 @@ TEST_CASE("constant shear angles: exact shear forces and no moments") {
 TEST_CASE("fictitious points take part but get no resultants") {
   const auto m = small_plate::model(geometry::rectangle(0, 0, 0.8, 0.6), {{SupportKind::symmetry, {"left"}, {}}},
                                     small_plate::spaced(0.1));
-  const auto r = of(m, [](const geometry::Point& p) { return Eigen::Vector3d(-p.x() * p.x() / 2, 0, p.x()); });
+  const auto r =
+      resultants_of(m, [](const geometry::Point& p) { return Eigen::Vector3d(-p.x() * p.x() / 2, 0, p.x()); });
   REQUIRE(m.points() > 48);
   CHECK(r.moments.cols() == 48);
   CHECK(r.shear.cols() == 48);
@@ -83,10 +84,11 @@ TEST_CASE("points with one bond or none: finite") {
   const auto line = small_plate::model(geometry::rectangle(0, 0, 0.3, 0.1), {}, small_plate::spaced(0.1));
   REQUIRE(line.points() == 3);
   const auto bend = [](const geometry::Point& p) { return Eigen::Vector3d(-p.x() * p.x() / 2, 0, p.x()); };
-  const auto r = of(line, bend);
+  const auto r = resultants_of(line, bend);
   CHECK(r.moments.row(0).minCoeff() == Approx(section.bending_stiffness()));
   CHECK(r.moments.row(0).maxCoeff() == Approx(section.bending_stiffness()));
-  const auto alone = of(small_plate::model(geometry::rectangle(0, 0, 0.1, 0.1), {}, small_plate::spaced(0.1)), bend);
+  const auto alone =
+      resultants_of(small_plate::model(geometry::rectangle(0, 0, 0.1, 0.1), {}, small_plate::spaced(0.1)), bend);
   REQUIRE(alone.moments.cols() == 1);
   CHECK(alone.moments.norm() == 0);
 }

@@ -10,7 +10,7 @@ using geometry::Point;
 
 namespace {
 
-ElasticSupport of(const Stiffener& beam, const geometry::Tessellation& cells) {
+ElasticSupport support_of(const Stiffener& beam, const geometry::Tessellation& cells) {
   ElasticSupportSum sum(cells.positions.size());
   add_stiffener(beam, PlateLaw::bending, cells, sum);
   return std::move(sum).taken("stiffener0", std::nullopt, false);
@@ -22,7 +22,7 @@ TEST_CASE("stiffeners: one element is the beam of Bernoulli, whatever its slopes
   const auto cells = gp::cells(geometry::rectangle(0, 0, 4, 4), 1);
   Stiffener beam;
   beam.bending = 7, beam.along = {{1, 1}, {2, 1}};
-  const auto part = of(beam, cells);
+  const auto part = support_of(beam, cells);
   const auto node = [&](double x) {
     return std::ranges::min_element(cells.positions, {}, [&](const Point& p) { return (p - Point(x, 1)).norm(); }) -
            cells.positions.begin();

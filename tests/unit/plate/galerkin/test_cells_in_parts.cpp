@@ -98,8 +98,8 @@ Rest at_rest_by(int processes, const Problem& problem, Preconditioning wanted) {
 }
 
 /// Several numbers of processes against the ordinary program; by the diagonal against 1, bit for bit.
-void check(const Problem& problem, Preconditioning wanted = Preconditioning::automatic,
-           const std::vector<int>& counts = {1, 4, 7}) {
+void check_parts(const Problem& problem, Preconditioning wanted = Preconditioning::automatic,
+                 const std::vector<int>& counts = {1, 4, 7}) {
   const Rest whole = at_rest(problem, Preconditioning::automatic, single_process());
   Rest one;
   for (const int processes : counts) {
@@ -139,7 +139,7 @@ TEST_CASE("a plate in parts: cells of a lattice, a crack along it and one across
   problem.supports = {{clamped, {"left"}, {}}, {simply_supported, {"top"}, {}}, {symmetry, {"right"}, {}}};
   problem.cracks = {{{0.3, 0.4}, {0.7, 0.4}}, {{0.5, 0.13}, {0.9, 0.27}}};
   for (const auto wanted : {Preconditioning::automatic, Preconditioning::diagonal})
-    check(problem, wanted, {1, 2, 3, 4, 7});
+    check_parts(problem, wanted, {1, 2, 3, 4, 7});
 }
 
 TEST_CASE("a plate in parts: graded triangles about tips and a hole that is held, oblique edges") {
@@ -150,8 +150,8 @@ TEST_CASE("a plate in parts: graded triangles about tips and a hole that is held
   problem.discretization.tip_spacing = 0.01, problem.discretization.hole_spacing = 0.03;
   problem.supports = {{simply_supported_hard, {"hole0"}, {}}, {clamped, {"d"}, {}}};
   problem.cracks = {{{0.2, 0.3}, {0.5, 0.55}}, {{0.62, 0.15}, {0.65, 0.25}}};
-  check(problem);
-  check(problem, Preconditioning::diagonal);
+  check_parts(problem);
+  check_parts(problem, Preconditioning::diagonal);
 }
 
 TEST_CASE("a plate in parts: cells with loads of every kind and supports within that settle") {
@@ -172,8 +172,8 @@ TEST_CASE("a plate in parts: cells with loads of every kind and supports within 
       Load{Temperature{.formula = Formula("2 + x * y")}},
       Load{Settlement{.support = 1, .value = 0.01, .slope = {0.02, 0.01}}},
       Load{Pressure{.formula = Formula("sin(3 * x) + y^2"), .patch = geometry::Circle{{0.6, 0.4}, 0.2, ""}}}};
-  check(problem);
-  check(problem, Preconditioning::diagonal);
+  check_parts(problem);
+  check_parts(problem, Preconditioning::diagonal);
 }
 
 TEST_CASE("a plate in parts: cells on soil that goes on beneath a crack, springs, beams, a section that varies") {
@@ -190,18 +190,18 @@ TEST_CASE("a plate in parts: cells on soil that goes on beneath a crack, springs
   beam.bending = 0.3, beam.torsion = 0.1, beam.along = {{0.15, 0.1}, {0.15, 0.72}};
   problem.stiffeners = {beam};
   SECTION("of one section") {
-    check(problem);
-    check(problem, Preconditioning::diagonal);
+    check_parts(problem);
+    check_parts(problem, Preconditioning::diagonal);
   }
   SECTION("of a thickness that varies") {
     problem.section.thickness_factor = Formula("1 + 0.3 * x");
-    check(problem);
+    check_parts(problem);
   }
   SECTION("that lifts off beneath a half of it") {
     problem.foundations[0] = {2000, 0, std::nullopt, true};
     problem.loads[0].action = Pressure{.value = -3, .gradient = {5, 1}};  // upwards on the right
-    check(problem);
-    check(problem, Preconditioning::diagonal);
+    check_parts(problem);
+    check_parts(problem, Preconditioning::diagonal);
   }
 }
 

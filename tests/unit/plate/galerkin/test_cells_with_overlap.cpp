@@ -135,7 +135,7 @@ std::pair<std::string, std::size_t> difference(int processes, const Problem& pro
   return {found, left_out};
 }
 
-Problem problem_of(geometry::Outline outline, double spacing) {
+Problem overlapped_problem(geometry::Outline outline, double spacing) {
   auto problem = parts::problem_of(std::move(outline), {}, {parts::pressure(2)});
   problem.discretization.spacing = spacing, problem.discretization.formulation = &galerkin;
   return problem;
@@ -154,7 +154,7 @@ geometry::Polyline line_in(const geometry::Outline& outline, random_plates::Make
 
 /// Everything that can be asked of a plate, somewhere on it.
 Problem loaded(const random_plates::Plate& plate, random_plates::Maker& maker, double spacing) {
-  auto problem = problem_of(plate.outline, spacing);
+  auto problem = overlapped_problem(plate.outline, spacing);
   problem.cracks = plate.cracks;
   const auto line = [&] { return line_in(plate.outline, maker); };
   const auto edge = [&](std::size_t i) { return plate.outline.outer.edge_names[i]; };
@@ -222,7 +222,7 @@ TEST_CASE(
                  geometry::Polygon{{{2, 0.4}, {2.4, 0.6}, {2.1, 0.9}}, {"hole1", "hole1", "hole1"}}};
   for (const auto& outline : {l_shape, holes, geometry::rectangle(0, 0, 9, 1)})
     for (const int processes : {1, 3, 7}) {
-      auto problem = problem_of(outline, 0.02);
+      auto problem = overlapped_problem(outline, 0.02);
       problem.supports = {{SupportKind::clamped, {outline.outer.edge_names[0]}, {}}};
       problem.cracks = {{{0.3, 0.5}, {0.7, 0.5}}, {{0.1, 0.13}, {0.97, 0.83}}, {{1.5, 0}, {1.5, 0.6}}};
       problem.foundations = {{20, 3, std::nullopt}};
@@ -235,7 +235,7 @@ TEST_CASE(
 
 TEST_CASE(
     "windows of a lattice: a part that is held beside a process is held, one beside the plate is refused by all") {
-  auto problem = problem_of(geometry::rectangle(0, 0, 4, 4), 0.02);
+  auto problem = overlapped_problem(geometry::rectangle(0, 0, 4, 4), 0.02);
   Support part;
   part.kind = SupportKind::clamped, part.patch = geometry::Circle{{0.2, 0.2}, 0.1, ""};
   problem.supports = {part};

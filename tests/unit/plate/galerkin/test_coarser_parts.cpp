@@ -35,7 +35,7 @@ Found found(const Problem& problem, const Communicator& communicator) {
   return own;
 }
 
-void check(const Problem& problem) {
+void check_coarser(const Problem& problem) {
   const Found whole = found(problem, single_process());
   REQUIRE(whole.points > 4000);  // there is a coarser plate
   for (const int processes : {1, 3, 7}) {
@@ -61,7 +61,7 @@ void check(const Problem& problem) {
   }
 }
 
-Problem problem_of() {
+Problem coarse_problem() {
   Problem problem;
   problem.outline = geometry::rectangle(0, 0, 1.2, 0.8);
   problem.section = galerkin_plate::section;
@@ -75,22 +75,22 @@ Problem problem_of() {
 }  // namespace
 
 TEST_CASE("a plate in parts: coarser Galerkin plates, as many iterations as by one process") {
-  auto problem = problem_of();
+  auto problem = coarse_problem();
   SECTION("of a lattice, on soil") {
     problem.foundations = {{20, 1, {}}};
-    check(problem);
+    check_coarser(problem);
   }
   SECTION("graded, about a round hole that is held") {
     problem.outline.holes.push_back(geometry::Circle{{0.95, 0.3}, 0.1, "hole0"});
     problem.supports.push_back({SupportKind::simply_supported_hard, {"hole0"}, {}});
     problem.discretization.spacing = 0.02, problem.discretization.tip_spacing = 0.002;
     problem.discretization.spacing_growth = 0.08;
-    check(problem);
+    check_coarser(problem);
   }
 }
 
 TEST_CASE("points of all: those that processes own, and of one process all") {
-  auto problem = problem_of();
+  auto problem = coarse_problem();
   problem.discretization.spacing = 0.1;
   problem.cracks.clear();
   const auto whole = discretise(problem).plate;

@@ -9,7 +9,7 @@ using plate::Subject;
 
 namespace {
 
-plate::Problem square() {
+plate::Problem clamped_square() {
   plate::Problem problem;
   problem.outline = geometry::rectangle(0, 0, 1, 1);
   problem.discretization.formulation = plate::formulations().back();  // bonds: layers follow the axes
@@ -28,7 +28,7 @@ using Found = std::vector<std::pair<Subject, std::size_t>>;
 }  // namespace
 
 TEST_CASE("faults of edges: names that the plate does not have, edges held twice, points beside the plate") {
-  auto problem = square();
+  auto problem = clamped_square();
   CHECK(found(problem).empty());
   problem.supports.push_back({plate::SupportKind::clamped, {"left", "lft"}, {}});
   problem.supports.push_back({plate::SupportKind::pinned, {}, {{0.5, 0.5}, {1, 0.5}, {1.1, 0.5}}});
@@ -41,7 +41,7 @@ TEST_CASE("faults of edges: names that the plate does not have, edges held twice
 }
 
 TEST_CASE("faults of edges: what mirrors the lattice needs an edge along it") {
-  auto problem = square();
+  auto problem = clamped_square();
   problem.outline.outer = {{{0, 0}, {1, 0}, {1.2, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
   problem.supports = {{plate::SupportKind::symmetry, {"left", "right"}, {}}};
   CHECK(found(problem) == Found{{Subject::support_direction, 0}});
@@ -50,14 +50,14 @@ TEST_CASE("faults of edges: what mirrors the lattice needs an edge along it") {
 }
 
 TEST_CASE("faults of edges: a force at a point lies inside the plate, a pin on its boundary too") {
-  auto problem = square();
+  auto problem = clamped_square();
   CHECK(plate::on_plate(problem.outline, {1, 0.5}));
   problem.loads = {plate::Load{plate::PointForce{.position = {1, 0.5}}}};
   CHECK(found(problem) == Found{{Subject::load_position, 0}});
 }
 
 TEST_CASE("faults of edges: layers need straight edges along the axes, whatever they hold, and something to hold") {
-  auto problem = square();
+  auto problem = clamped_square();
   problem.discretization.boundary = plate::EdgeMethod::layer;
   CHECK(found(problem).empty());
   problem.outline.outer = {{{0, 0}, {1, 0}, {1.2, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};
@@ -93,7 +93,7 @@ TEST_CASE("faults of edges: a load on an edge that holds all it acts on would go
                          {simply_supported_layer, Kind::edge_moment, 1, 0, false},
                          {plate::SupportKind::free, Kind::edge_shear, 1, 0, false}};
   for (const auto& [kind, load_kind, moment, twist, refused] : tried) {
-    auto problem = square();
+    auto problem = clamped_square();
     problem.supports = {{kind, {"left"}, {}}};
     plate::EdgeMoment edge_moment{.edges = {"left", "top"}, .value = moment, .twist = twist};
     plate::EdgeShear edge_shear{.edges = {"left", "top"}, .value = moment};
@@ -105,13 +105,13 @@ TEST_CASE("faults of edges: a load on an edge that holds all it acts on would go
     problem.loads = {shears ? plate::Load{edge_shear} : plate::Load{edge_moment}};
     CHECK(found(problem).empty());
   }
-  auto problem = square();
+  auto problem = clamped_square();
   problem.loads = {plate::Load{plate::EdgeMoment{.edges = {"left"}, .tensor = {{1, 0, 0}}}}};
   CHECK(found(problem) == Found{{Subject::load_edges, 0}});
 }
 
 TEST_CASE("faults of edges: a traction all round a free hub pulls it nowhere, unless it turns it") {
-  auto problem = square();
+  auto problem = clamped_square();
   problem.outline.holes = {geometry::Circle{{0.5, 0.5}, 0.1, "hole0"}};
   problem.supports = {{plate::SupportKind::hub, {"hole0"}, {}}};
   for (const double shear : {0.0, 1.0}) {
@@ -123,7 +123,7 @@ TEST_CASE("faults of edges: a traction all round a free hub pulls it nowhere, un
 }
 
 TEST_CASE("faults of edges: one has no name that the reaction of a pin, line, part or hub has") {
-  auto problem = square();
+  auto problem = clamped_square();
   problem.outline.outer.edge_names = {"a", "b", "c", "hub0"};
   plate::Support hub{plate::SupportKind::hub, {}, {}};
   hub.patch = geometry::Circle{{0.5, 0.5}, 0.1, ""};
@@ -134,7 +134,7 @@ TEST_CASE("faults of edges: one has no name that the reaction of a pin, line, pa
 }
 
 TEST_CASE("faults of edges: a force on a crack has no face") {
-  auto problem = square();
+  auto problem = clamped_square();
   problem.cracks = {{{0.2, 0.2}, {0.6, 0.6}}};
   for (const auto& [x, y, refused] :
        {std::tuple{0.4, 0.4, true}, {0.6, 0.6, true}, {0.4, 0.41, false}, {0.7, 0.7, false}}) {
@@ -144,7 +144,7 @@ TEST_CASE("faults of edges: a force on a crack has no face") {
 }
 
 TEST_CASE("faults of edges: a force on a part that is held would go into the support") {
-  auto problem = square();
+  auto problem = clamped_square();
   plate::Support column;
   column.kind = plate::SupportKind::pinned, column.patch = geometry::Circle{{0.5, 0.5}, 0.1, ""};
   problem.supports.push_back(column);

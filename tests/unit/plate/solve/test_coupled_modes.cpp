@@ -13,7 +13,7 @@ using namespace plate;
 namespace {
 
 /// A plate with an eccentric rib, which loads in its plane press.
-Discretised ribbed(double pressed) {
+Discretised ribbed_and_pressed(double pressed) {
   return discretise(
       case_text::read(
           case_text::plain,
@@ -33,7 +33,7 @@ FrequencyOptions options_of(const Formulation& plate) {
 }  // namespace
 
 TEST_CASE("coupled modes: frequencies fall under pressure, and beyond buckling there are none") {
-  const auto plates = ribbed(1);
+  const auto plates = ribbed_and_pressed(1);
   const auto &plate = *plates.plate, &membrane = *plates.membrane;
   const auto options = options_of(plate);
   const auto prestress = coupled_prestress(plate, membrane);

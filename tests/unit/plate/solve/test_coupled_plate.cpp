@@ -12,7 +12,7 @@ using namespace plate;
 namespace {
 
 /// A plate with an eccentric rib, pressed and pulled.
-Discretised ribbed(double eccentricity) {
+Discretised ribbed_and_pulled(double eccentricity) {
   return discretise(
       case_text::read(case_text::plain,
                       {"discretization.formulation=galerkin", "discretization.spacing=0.1", "geometry.cracks=[]",
@@ -27,7 +27,7 @@ Discretised ribbed(double eccentricity) {
 TEST_CASE("coupled plate: equilibrium of all forces, energy of half the work, more by eccentricity of either sign") {
   double side = 0;
   for (const double eccentricity : {0.2, -0.2}) {
-    const auto plates = ribbed(eccentricity);
+    const auto plates = ribbed_and_pulled(eccentricity);
     const auto &plate = *plates.plate, &membrane = *plates.membrane;
     const PlateLoads loads{plate.total_load(), membrane.total_load()};
     const auto found = CoupledPlate(plate, membrane).equilibrium(loads, {1e-10, 1000, {}});
@@ -47,7 +47,7 @@ TEST_CASE("coupled plate: equilibrium of all forces, energy of half the work, mo
 }
 
 TEST_CASE("coupled plate: next to no eccentricity leaves bending and stretching alone") {
-  const auto plates = ribbed(1e-9);
+  const auto plates = ribbed_and_pulled(1e-9);
   const auto &plate = *plates.plate, &membrane = *plates.membrane;
   const auto found =
       CoupledPlate(plate, membrane).equilibrium({plate.total_load(), membrane.total_load()}, {1e-12, 1000, {}});
@@ -59,7 +59,7 @@ TEST_CASE("coupled plate: next to no eccentricity leaves bending and stretching 
 TEST_CASE("coupled plate: large deflections of a ribbed plate have the derivatives of their energy") {
   constexpr double step = 1e-5;
   for (const double eccentricity : {0.2, 0.0}) {
-    const auto plates = ribbed(eccentricity);
+    const auto plates = ribbed_and_pulled(eccentricity);
     const auto stretching = plates.membrane->stretching();
     const auto points = Eigen::Index(plates.plate->points());
     const State w = 0.1 * State::Random(3, points), dw = State::Random(3, points), du = State::Random(3, points);

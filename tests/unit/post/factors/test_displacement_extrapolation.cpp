@@ -16,7 +16,7 @@ using geometry::Tip;
 namespace {
 
 constexpr double pi = std::numbers::pi;
-const plate::Section section{200, 0.3, 12, 5.0 / 6, 0};  // 12 spacings thick, as in the paper's plates
+const plate::Section thick_section{200, 0.3, 12, 5.0 / 6, 0};  // 12 spacings thick, as in the paper's plates
 
 struct Factors {
   double K1, K2, K3;
@@ -24,7 +24,7 @@ struct Factors {
 
 /// The asymptotic field of a tip (Dai 39) in the tip's axes: w, theta_x', theta_y'.
 Eigen::Vector3d asymptotic(const Factors& K, double r, double angle) {
-  const double E = section.young, nu = section.poisson, h = section.thickness;
+  const double E = thick_section.young, nu = thick_section.poisson, h = thick_section.thickness;
   const double root = std::sqrt(r / 2), c = std::cos(angle), ch = std::cos(angle / 2), sh = std::sin(angle / 2);
   const double factor = 12 * (1 + nu) / (E * h * h * h) * root;
   return {24 * (1 + nu) / (5 * E * h) * root * K.K3 * sh,
@@ -65,7 +65,8 @@ plate::State field(const Scene& s, const Tip& tip, const Factors& K) {
 
 std::variant<DisplacementExtrapolation, std::string> extrapolation(const std::vector<Point>& positions, const Scene& s,
                                                                    const Tip& tip, const SrifOptions& options) {
-  return DisplacementExtrapolation::at(positions, s.path, tip, {section, 1, 3}, paper_fit({section, 1, 3}, options));
+  return DisplacementExtrapolation::at(positions, s.path, tip, {thick_section, 1, 3},
+                                       paper_fit({thick_section, 1, 3}, options));
 }
 
 Srif recovered(const Scene& s, const Tip& tip, const Factors& K, const SrifOptions& options) {
@@ -132,8 +133,8 @@ TEST_CASE("each mode is seen alone") {
                three = recovered(s, tip, {0, 0, 1}, {});
     CHECK(std::abs(one.K2) + std::abs(one.K3) < 1e-12);  // measured: 0
     // the lever that carries w to the crack finds no w that goes with the rotations of Dai 39
-    CHECK(std::abs(two.K1) + std::abs(two.K3) * section.thickness < 0.1);  // measured: 0.025
-    CHECK(std::abs(three.K1) + std::abs(three.K2) < 1e-12);                // measured: 0
+    CHECK(std::abs(two.K1) + std::abs(two.K3) * thick_section.thickness < 0.1);  // measured: 0.025
+    CHECK(std::abs(three.K1) + std::abs(three.K2) < 1e-12);                      // measured: 0
     CHECK(one.K1 > 0.9);
     CHECK(two.K2 > 0.9);
     CHECK(three.K3 > 0.9);
@@ -144,7 +145,7 @@ TEST_CASE("a jump that grows with the square root exactly gives K exactly") {
   // Dai 40 at all points of each side: K(r) is constant
   const Scene s = scene(0);
   const Tip& tip = s.tips.at(1);
-  const double E = section.young, h = section.thickness, nu = section.poisson;
+  const double E = thick_section.young, h = thick_section.thickness, nu = thick_section.poisson;
   plate::State state(3, Eigen::Index(s.positions.size()));
   for (std::size_t k = 0; k < s.positions.size(); ++k) {
     const Point x = s.positions[k] - tip.position;

@@ -7,22 +7,22 @@ using namespace post;
 
 namespace {
 
-const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 1};
+const plate::Section unit_section{1000, 0.3, 0.1, 5.0 / 6, 1};
 const ErrorShares shares{0.3, 0, 1, 1, 0.001, 0.04, 0.25, 0.05};
 
 Srif by_energy(SrifMethod method, double K1, double K2, double K3, double factor = 1) {
   Srif result;
   result.method = method;
   result.K1 = K1, result.K2 = K2, result.K3 = K3;
-  result.G = factor * TipSection(section).unit_release().dot(Eigen::Vector3d(K1, K2, K3).cwiseAbs2());
+  result.G = factor * TipSection(unit_section).unit_release().dot(Eigen::Vector3d(K1, K2, K3).cwiseAbs2());
   return result;
 }
 
 /// With their estimates, and marked.
 std::vector<Srif> estimated(std::vector<Srif> found, const std::vector<FitSrif>& fits,
                             std::vector<double> largest = {}) {
-  estimate_errors(found, fits, section, shares);
-  mark_lost(found, section.thickness, largest);
+  estimate_errors(found, fits, unit_section, shares);
+  mark_lost(found, unit_section.thickness, largest);
   return found;
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("where all methods agree the errors are the least ones") {
       {by_energy(SrifMethod::domain_integral, 1, 0.2, 3), by_energy(SrifMethod::virtual_crack_extension, 1, 0.2, 3)},
       fits);
   const double e3 = (0.001 + 0.04 / 64) / 0.1;
-  const Eigen::Vector3d unit = TipSection(section).unit_release();
+  const Eigen::Vector3d unit = TipSection(unit_section).unit_release();
   for (const auto& srif : found) {
     const double taken = unit[2] / unit[0] * 3 * e3 / (1 + 0.04);  // of G by the error of K3
     CHECK(*srif.errors[0] == Approx(0.001 + taken));
@@ -74,7 +74,7 @@ TEST_CASE("without a fit K2 and K3 are not resolved") {
 }
 
 TEST_CASE("without a fit K1 is given where the whole energy is its own, and not where others may have a part of it") {
-  const double h = section.thickness;
+  const double h = unit_section.thickness;
   const auto of = [&](double K3) {
     return estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0, K3 / h),
                       by_energy(SrifMethod::domain_integral, 1, 0, K3 / h)},
@@ -82,14 +82,14 @@ TEST_CASE("without a fit K1 is given where the whole energy is its own, and not 
         .front();
   };
   CHECK(of(0.5).resolved[0]);  // the whole energy would give K1 1.6 % more
-  CHECK(*of(3).errors[0] > 2 * (std::sqrt(*of(3).G / TipSection(section).unit_release()[0]) - 1));
+  CHECK(*of(3).errors[0] > 2 * (std::sqrt(*of(3).G / TipSection(unit_section).unit_release()[0]) - 1));
   CHECK_FALSE(of(3).resolved[0]);
 }
 
 TEST_CASE("an integral that is not positive contradicts the others: nothing is resolved, with a fit or without") {
   for (const double energy : {0.0, -0.5}) {
     Srif contrary = by_energy(SrifMethod::domain_integral, 0, 0, 0);
-    contrary.G = energy * TipSection(section).unit_release()[0];
+    contrary.G = energy * TipSection(unit_section).unit_release()[0];
     for (const auto& fits : {std::vector<FitSrif>{}, std::vector<FitSrif>{{1, 4, 1, 0.2, 3}, {1, 3, 1, 0.2, 3}}}) {
       const auto found = estimated({by_energy(SrifMethod::virtual_crack_extension, 1, 0.2, 3), contrary}, fits);
       CHECK(*found.front().errors[0] > 0.9);
@@ -112,8 +112,8 @@ TEST_CASE("K3 counts as lost from the share on that its formulation sets") {
   const std::vector<FitSrif> fits{{1, 4, 1, 0, 0}, {1, 3, 1, 0, 0.6}};  // K3 h differs by 6 %
   CHECK(estimated(found, fits).front().resolved[2]);
   std::vector<double> largest;
-  estimate_errors(found, fits, section, strict);
-  mark_lost(found, section.thickness, largest);
+  estimate_errors(found, fits, unit_section, strict);
+  mark_lost(found, unit_section.thickness, largest);
   CHECK(found.front().resolved == std::array{true, true, false});
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("bonds: a share of K3 itself and a turn of K1 and K2 are added to the 
     srif.method = method;
     if (method == SrifMethod::series_fit) srif.G.reset();
     std::vector<Srif> found{srif};
-    estimate_errors(found, fits, section, some);
+    estimate_errors(found, fits, unit_section, some);
     return found.front().errors;
   };
   for (const auto method : {SrifMethod::domain_integral, SrifMethod::series_fit}) {
@@ -147,7 +147,7 @@ TEST_CASE("points on the faces that are wider apart than the layer make K3 uncer
     ErrorShares graded = shares;
     graded.faces = faces, graded.own_shear = 0.0037;
     std::vector<Srif> found{by_energy(SrifMethod::domain_integral, 1, 0.2, 3)};
-    estimate_errors(found, fits, section, graded);
+    estimate_errors(found, fits, unit_section, graded);
     CHECK(*found.front().errors[2] > before);
     before = *found.front().errors[2];
   }
@@ -155,7 +155,7 @@ TEST_CASE("points on the faces that are wider apart than the layer make K3 uncer
 
 TEST_CASE("an energy release rate that is not positive gives no factors, unless others of its tip were far larger") {
   Srif none = by_energy(SrifMethod::virtual_crack_extension, 0, 0, 0);
-  none.G = -1e-4 * TipSection(section).unit_release()[0];  // as K1 = 0.01
+  none.G = -1e-4 * TipSection(unit_section).unit_release()[0];  // as K1 = 0.01
   const std::vector<FitSrif> fits{{1, 4, 0.3, 0, 0}, {1, 3, 0.3, 0, 0}};
   CHECK(estimated({none, by_energy(SrifMethod::domain_integral, 0.3, 0, 0)}, fits).front().resolved ==
         std::array{false, false, false});
@@ -170,16 +170,16 @@ TEST_CASE("a tip that others shield knows its factors no better than the field o
   all.push_back(all.front());
   all.back().K1 *= 0.01, all.back().K2 *= 0.01, all.back().K3 *= 0.01, all.back().tip = 1;
   const auto before = all;
-  const double most = largest_of_tips(all, section.thickness);
+  const double most = largest_of_tips(all, unit_section.thickness);
   CHECK(most == 1);
-  add_errors_of_other_tips(all, most, section.thickness);
+  add_errors_of_other_tips(all, most, unit_section.thickness);
   CHECK(all.front().errors == before.front().errors);
   CHECK(*all.back().errors[1] - *before.back().errors[1] == Approx(0.0007 * 0.99));
-  CHECK(*all.back().errors[2] - *before.back().errors[2] == Approx(0.0007 * 0.99 / section.thickness));
+  CHECK(*all.back().errors[2] - *before.back().errors[2] == Approx(0.0007 * 0.99 / unit_section.thickness));
 }
 
 TEST_CASE("a factor that is small beside those of the other part is resolved as far as a face's stress needs") {
-  const double h = section.thickness;
+  const double h = unit_section.thickness;
   const auto in_plane = [&](double N1, double error) {
     Srif srif;
     srif.K1 = 1, srif.errors = {0.01, 0.01, 0.01};
@@ -201,7 +201,7 @@ TEST_CASE("a factor that is small beside those of the other part is resolved as 
 }
 
 TEST_CASE("a tip has one warning, with all factors that are in doubt and the largest of their errors") {
-  const double h = section.thickness;
+  const double h = unit_section.thickness;
   Srif srif;
   srif.tip = 2, srif.K1 = 1, srif.errors = {0.01, 0.05, 3}, srif.resolved = {true, true, false};
   srif.membrane = MembraneFactors{{60, 0}, {2.4, 0.1}, {true, true}, {}, h};

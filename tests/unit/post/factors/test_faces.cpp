@@ -7,9 +7,9 @@
 
 namespace {
 
-const plate::Section section{200e9, 0.3, 0.02, 5.0 / 6, 0};
+const plate::Section steel_section{200e9, 0.3, 0.02, 5.0 / 6, 0};
 
-post::Srif of(double K1, double K2, double K3) {
+post::Srif factors_with_errors(double K1, double K2, double K3) {
   post::Srif srif;
   srif.K1 = K1, srif.K2 = K2, srif.K3 = K3;
   srif.errors = {std::abs(K1) / 100, std::abs(K2) / 20, std::abs(K3) / 10};
@@ -18,7 +18,7 @@ post::Srif of(double K1, double K2, double K3) {
 
 /// K_I, K_II, K_III at the height z: linear bending stress, parabolic shear stress.
 std::array<double, 3> at_height(const post::FaceFactors& faces, double z) {
-  const double s = 2 * z / section.thickness;
+  const double s = 2 * z / steel_section.thickness;
   return {*faces.K[0] * s, *faces.K[1] * s, *faces.K[2] * (1 - s * s)};
 }
 
@@ -27,9 +27,9 @@ const std::vector<std::array<double, 3>> modes{{3, 0, 0}, {0, -2, 0}, {0, 0, 50}
 }  // namespace
 
 TEST_CASE("faces: the energy over the thickness is that of the moment and shear intensity factors") {
-  const double h = section.thickness, E = section.young, nu = section.poisson;
+  const double h = steel_section.thickness, E = steel_section.young, nu = steel_section.poisson;
   for (const auto& [K1, K2, K3] : modes) {
-    const auto faces = post::at_faces(of(K1, K2, K3), section, std::nullopt);
+    const auto faces = post::at_faces(factors_with_errors(K1, K2, K3), steel_section, std::nullopt);
     double sum = 0;
     constexpr int slices = 2000;
     for (int i = 0; i < slices; ++i) {
@@ -44,12 +44,12 @@ TEST_CASE("faces: the energy over the thickness is that of the moment and shear 
 
 TEST_CASE("faces: the equivalent K is the largest at any height, and its error a bound") {
   for (const auto& [K1, K2, K3] : modes) {
-    const auto srif = of(K1, K2, K3);
-    const auto faces = post::at_faces(srif, section, 2e6);
+    const auto srif = factors_with_errors(K1, K2, K3);
+    const auto faces = post::at_faces(srif, steel_section, 2e6);
     double largest = 0;
     for (int i = 0; i <= 1000; ++i) {
-      const auto K = at_height(faces, section.thickness * (i / 1000.0 - 0.5));
-      largest = std::max(largest, std::sqrt(K[0] * K[0] + K[1] * K[1] + K[2] * K[2] / (1 - section.poisson)));
+      const auto K = at_height(faces, steel_section.thickness * (i / 1000.0 - 0.5));
+      largest = std::max(largest, std::sqrt(K[0] * K[0] + K[1] * K[1] + K[2] * K[2] / (1 - steel_section.poisson)));
     }
     CHECK(*faces.equivalent == Approx(largest).epsilon(1e-12));
     CHECK(*faces.utilisation == Approx(largest / 2e6).epsilon(1e-12));
@@ -57,7 +57,8 @@ TEST_CASE("faces: the equivalent K is the largest at any height, and its error a
       for (const double b : {-1, 1})
         for (const double c : {-1, 1}) {
           const auto other = post::at_faces(
-              of(K1 + a * *srif.errors[0], K2 + b * *srif.errors[1], K3 + c * *srif.errors[2]), section, 2e6);
+              factors_with_errors(K1 + a * *srif.errors[0], K2 + b * *srif.errors[1], K3 + c * *srif.errors[2]),
+              steel_section, 2e6);
           CHECK(std::abs(*other.equivalent - *faces.equivalent) <= *faces.error * (1 + 1e-12));
           CHECK(std::abs(*other.utilisation - *faces.utilisation) <= *faces.utilisation_error * (1 + 1e-12));
         }
@@ -66,22 +67,22 @@ TEST_CASE("faces: the equivalent K is the largest at any height, and its error a
 
 TEST_CASE("faces: a plate in pure bending has the K of its face's stress, what is not resolved is left out") {
   // K1 = M sqrt(a): the stress 6 M / h^2 at the face of a crack of half length a has K_I = stress sqrt(pi a)
-  const double M = 7, a = 0.3, h = section.thickness;
-  auto srif = of(M * std::sqrt(a), 1, 2);
-  CHECK(*post::at_faces(srif, section, {}).K[0] == Approx(6 * M / (h * h) * std::sqrt(std::numbers::pi * a)));
+  const double M = 7, a = 0.3, h = steel_section.thickness;
+  auto srif = factors_with_errors(M * std::sqrt(a), 1, 2);
+  CHECK(*post::at_faces(srif, steel_section, {}).K[0] == Approx(6 * M / (h * h) * std::sqrt(std::numbers::pi * a)));
   srif.resolved = {true, false, false};
   srif.errors[1].reset(), srif.errors[2].reset();
-  const auto some = post::at_faces(srif, section, {});
+  const auto some = post::at_faces(srif, steel_section, {});
   CHECK_FALSE(some.K[1]);
   CHECK_FALSE(some.K[2]);
   CHECK(*some.equivalent == *some.K[0]);
   CHECK(*some.error == Approx(*some.K[0] / 100));
   CHECK_FALSE(some.utilisation);
   srif.errors[2] = 50;  // a factor that is not given may be as large as this tells
-  const double most = 52 * 3 / (2 * h) * std::sqrt(std::numbers::pi / (1 - section.poisson));
-  CHECK(*post::at_faces(srif, section, {}).error == Approx(most));
-  CHECK(*post::at_faces(srif, section, {}).equivalent == *some.equivalent);
+  const double most = 52 * 3 / (2 * h) * std::sqrt(std::numbers::pi / (1 - steel_section.poisson));
+  CHECK(*post::at_faces(srif, steel_section, {}).error == Approx(most));
+  CHECK(*post::at_faces(srif, steel_section, {}).equivalent == *some.equivalent);
   srif.resolved = {false, false, false};
-  CHECK_FALSE(post::at_faces(srif, section, 1.0).equivalent);
-  CHECK_FALSE(post::at_faces(srif, section, 1.0).utilisation);
+  CHECK_FALSE(post::at_faces(srif, steel_section, 1.0).equivalent);
+  CHECK_FALSE(post::at_faces(srif, steel_section, 1.0).utilisation);
 }

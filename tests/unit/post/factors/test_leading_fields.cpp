@@ -10,7 +10,7 @@ using Eigen::Vector2d;
 
 namespace {
 
-plate::Section section(double angle, bool isotropic = false) {
+plate::Section turned_section(double angle, bool isotropic = false) {
   plate::Section s{1000, 0.3, 0.1, 5.0 / 6, 0};
   if (isotropic)
     s.orthotropic = {1000, 1000, 0.3, 1000 / 2.6, 1000 / 2.6, 1000 / 2.6, angle};
@@ -35,7 +35,7 @@ TEST_CASE("leading fields: unit factors straight ahead, free faces, at any angle
   for (const bool isotropic : {false, true})
     for (const double angle : {0.0, 35.0, 80.0})
       for (const double turn : {0.0, 0.7}) {
-        const auto s = section(angle, isotropic);
+        const auto s = turned_section(angle, isotropic);
         const Vector2d ahead(std::cos(turn), std::sin(turn)), left(-ahead.y(), ahead.x());
         const LeadingFields fields(TipSection(s, ahead), ahead);
         const double r = 0.3, root = std::sqrt(2 * r), small = isotropic ? 1e-6 : 1e-10;

@@ -10,7 +10,7 @@ using post::Cell, post::Table, small_run::TemporaryFolder, small_run::text_of;
 
 namespace {
 
-Table read(const std::string& text) {
+Table table_of(const std::string& text) {
   const TemporaryFolder folder;
   post::write_atomically(folder / "t.csv", text);
   return post::read_csv(folder / "t.csv");
@@ -44,7 +44,7 @@ TEST_CASE("CSV has no negative zero") {
 }
 
 TEST_CASE("comments, blank lines, spaces and Windows line ends are read") {
-  const Table table = read("# made by hand\r\nt, w\r\n# zero\r\n0, +1\r\n\r\n1,-2");
+  const Table table = table_of("# made by hand\r\nt, w\r\n# zero\r\n0, +1\r\n\r\n1,-2");
   CHECK(table.columns == std::vector<std::string>{"t", "w"});
   REQUIRE(table.rows.size() == 2);
   CHECK((table.rows[0] == std::vector<Cell>{0.0, 1.0}));
@@ -52,18 +52,18 @@ TEST_CASE("comments, blank lines, spaces and Windows line ends are read") {
 }
 
 TEST_CASE("numbers that are not finite stay numbers") {
-  const Table table = read("a,b\nnan,-inf\n");
+  const Table table = table_of("a,b\nnan,-inf\n");
   CHECK(std::isnan(std::get<double>(table.rows[0][0])));
   CHECK(std::get<double>(table.rows[0][1]) == -std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("what is wrong with a table is said with file and line") {
-  CHECK_THROWS_WITH(read("# c\na,b\n1,2\n\n1,2,3\n"), Catch::Contains("t.csv:5: 3 cells for 2 columns"));
-  CHECK_THROWS_WITH(read("a,a\n"), Catch::Contains("t.csv:1: column a appears twice"));
-  CHECK_THROWS_WITH(read("a,,b\n"), Catch::Contains("t.csv:1: column 2 has no name"));
-  CHECK_THROWS_WITH(read("a\n\"x\ny"), Catch::Contains("t.csv:2: a quotation mark is not closed"));
-  CHECK_THROWS_WITH(read("a,b\n\"x\"y,1\n"), Catch::Contains("t.csv:2: text behind a closing quotation mark"));
-  CHECK_THROWS_WITH(read("# nothing else\n"), Catch::Contains("no header line"));
+  CHECK_THROWS_WITH(table_of("# c\na,b\n1,2\n\n1,2,3\n"), Catch::Contains("t.csv:5: 3 cells for 2 columns"));
+  CHECK_THROWS_WITH(table_of("a,a\n"), Catch::Contains("t.csv:1: column a appears twice"));
+  CHECK_THROWS_WITH(table_of("a,,b\n"), Catch::Contains("t.csv:1: column 2 has no name"));
+  CHECK_THROWS_WITH(table_of("a\n\"x\ny"), Catch::Contains("t.csv:2: a quotation mark is not closed"));
+  CHECK_THROWS_WITH(table_of("a,b\n\"x\"y,1\n"), Catch::Contains("t.csv:2: text behind a closing quotation mark"));
+  CHECK_THROWS_WITH(table_of("# nothing else\n"), Catch::Contains("no header line"));
   CHECK_THROWS_WITH(post::read_csv("not/there.csv"), Catch::Contains("not/there.csv"));
 }
 

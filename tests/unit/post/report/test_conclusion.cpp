@@ -9,9 +9,9 @@
 
 namespace {
 
-const plate::Section section{1, 0.3, 0.1, 5.0 / 6, 0};
+const plate::Section concluded_section{1, 0.3, 0.1, 5.0 / 6, 0};
 
-post::Srif of(std::size_t tip, double K1) {
+post::Srif factor_of(std::size_t tip, double K1) {
   post::Srif srif;
   srif.tip = tip, srif.K1 = K1;
   srif.errors = {0.01, 0.01, 0.01};
@@ -24,7 +24,8 @@ post::Summary concluded(double deflection, bool si, std::optional<double> toughn
   const std::optional<post::SrifOptions> given = options;
   const post::Table history{{"time", "max_abs_w"}, {{0.0, 0.0}, {0.5, deflection}, {1.0, deflection / 2}}};
   post::Summary summary;
-  post::conclude(summary, {section, given, si, history, {}, {of(0, 1), of(0, 50), of(1, -2)}});
+  post::conclude(summary,
+                 {concluded_section, given, si, history, {}, {factor_of(0, 1), factor_of(0, 50), factor_of(1, -2)}});
   return summary;
 }
 
@@ -41,7 +42,7 @@ TEST_CASE("conclusion: deflections beyond half a thickness are warned of in SI u
              Catch::Contains("largest deflection is 6e+08 x thickness"));
   const std::optional<post::SrifOptions> none;
   post::Summary frequencies;
-  post::conclude(frequencies, {section, none, true, {{"time", "max_abs_w"}, {}}, {}, {}});
+  post::conclude(frequencies, {concluded_section, none, true, {{"time", "max_abs_w"}, {}}, {}, {}});
   CHECK_FALSE(frequencies.deflection_over_thickness);
   CHECK_FALSE(frequencies.reactions);
 }
@@ -56,7 +57,7 @@ TEST_CASE("conclusion: an estimate of the error of linear theory takes the place
     for (const bool si : {false, true}) {
       post::Summary summary;
       summary.linear_theory_off = off;
-      post::conclude(summary, {section, none, si, history, {}, {}});
+      post::conclude(summary, {concluded_section, none, si, history, {}, {}});
       CHECK(post::error_of_linear_theory(summary) == words);
       CHECK(summary.warnings == (si && !words.empty() ? std::vector<std::string>{words + "; set `nonlinear` = true"}
                                                       : std::vector<std::string>()));
@@ -77,14 +78,15 @@ TEST_CASE("conclusion: tips that reach the toughness by their recommended method
 
 TEST_CASE("conclusion: point supports that sink in are named, by the reaction and the plate about them") {
   plate::Problem problem;
-  problem.section = section, problem.outline = geometry::rectangle(0, 0, 1, 1);
+  problem.section = concluded_section, problem.outline = geometry::rectangle(0, 0, 1, 1);
   const auto said = [&](const geometry::Point& at, double force, const std::string& name = "pin1") {
     post::ReactionSummary reactions;
     reactions.supports = {{"left", {}}, {name, at}};
     reactions.largest = {{0, 100}, {0, force}};
     return post::sinking_supports(reactions, problem, 1);
   };
-  const double S = section.shear_stiffness(), force = 0.02 * 2 * std::acos(-1.0) * S / std::log(2.0);  // 2 % inside
+  const double S = concluded_section.shear_stiffness(),
+               force = 0.02 * 2 * std::acos(-1.0) * S / std::log(2.0);  // 2 % inside
   REQUIRE(said({0.5, 0.5}, force).size() == 1);
   CHECK_THAT(said({0.5, 0.5}, force)[0], Catch::Contains("pin1 is a single point: deflections grow by 2 %"));
   CHECK_THAT(said({0.5, 0}, force)[0], Catch::Contains("4 %"));

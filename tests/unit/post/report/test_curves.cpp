@@ -9,7 +9,7 @@
 
 namespace {
 
-post::Srif of(std::size_t tip, double K1, double K2, std::array<bool, 3> resolved) {
+post::Srif curve_factors(std::size_t tip, double K1, double K2, std::array<bool, 3> resolved) {
   post::Srif srif;
   srif.tip = tip, srif.method = post::SrifMethod::domain_integral, srif.K1 = K1, srif.K2 = K2, srif.K3 = 7,
   srif.resolved = resolved;
@@ -24,11 +24,11 @@ post::Table history() {
 }  // namespace
 
 TEST_CASE("curves of a motion: a panel for what any tip has, gaps where a factor is not resolved") {
-  auto other = of(0, 99, 99, {true, true, true});
+  auto other = curve_factors(0, 99, 99, {true, true, true});
   other.method = post::SrifMethod::series_fit;
   const std::vector<std::vector<post::Srif>> rows{
-      {of(0, 1, 0, {true, true, false}), other, of(1, 2, 0, {true, true, false})},
-      {of(0, -3, 0, {true, true, false}), other, of(1, 4, 0, {false, true, false})}};
+      {curve_factors(0, 1, 0, {true, true, false}), other, curve_factors(1, 2, 0, {true, true, false})},
+      {curve_factors(0, -3, 0, {true, true, false}), other, curve_factors(1, 4, 0, {false, true, false})}};
   const auto plot = post::curves_of_motion("run", {0, 0.5}, rows, history(), true);
   REQUIRE(plot.panels.size() == 3);  // K2 is zero throughout, K3 nowhere resolved
   CHECK(plot.panels[0].y_title == "K1 [N m^1/2]");

@@ -11,7 +11,7 @@ using namespace post;
 
 namespace {
 
-Srif of(std::size_t tip, double K1, double K2, double G, SrifMethod method = SrifMethod::domain_integral) {
+Srif case_factors(std::size_t tip, double K1, double K2, double G, SrifMethod method = SrifMethod::domain_integral) {
   Srif srif;
   srif.tip = tip, srif.K1 = K1, srif.K2 = K2, srif.G = G, srif.method = method;
   srif.errors = {0.5, 0.25, 0.125};
@@ -20,8 +20,9 @@ Srif of(std::size_t tip, double K1, double K2, double G, SrifMethod method = Sri
 
 std::vector<LoadCaseSummary> two() {
   LoadCaseSummary dead{"dead"}, uls{"uls", {{"dead", 1.35}}};
-  dead.srif = {of(0, 2, -1, 5), of(0, 99, 99, 99, SrifMethod::series_fit), of(1, 1, 0, 1)};
-  uls.srif = {of(0, -3, 0.5, 4), of(1, 7, 4, 2)};
+  dead.srif = {case_factors(0, 2, -1, 5), case_factors(0, 99, 99, 99, SrifMethod::series_fit),
+               case_factors(1, 1, 0, 1)};
+  uls.srif = {case_factors(0, -3, 0.5, 4), case_factors(1, 7, 4, 2)};
   uls.srif[1].resolved[1] = false;
   return {dead, uls};
 }

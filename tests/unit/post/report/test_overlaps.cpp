@@ -13,9 +13,9 @@ using namespace post;
 
 namespace {
 
-const plate::Section section{1000, 0.3, 0.1, 5.0 / 6, 0};
+const plate::Section overlap_section{1000, 0.3, 0.1, 5.0 / 6, 0};
 
-Srif of(std::size_t tip, double K1, double error, SrifMethod method = SrifMethod::domain_integral) {
+Srif overlapping(std::size_t tip, double K1, double error, SrifMethod method = SrifMethod::domain_integral) {
   Srif srif;
   srif.tip = tip, srif.K1 = K1, srif.method = method, srif.position = {double(tip), 2};
   srif.errors[0] = error;
@@ -31,22 +31,22 @@ Table table_of(const std::vector<std::vector<Srif>>& rows) {
 }  // namespace
 
 TEST_CASE("overlaps: the side is that of the sign of K1, where it has one") {
-  CHECK(overlap(of(0, 1, 0.1)) == Overlap::below);
-  CHECK(overlap(of(0, -1, 0.1)) == Overlap::above);
-  CHECK(overlap(of(0, -1, 1.5)) == Overlap::unknown);
-  CHECK(overlap(of(0, 0, 0)) == Overlap::unknown);
-  Srif twisted = of(0, -1e-9, 0);
+  CHECK(overlap(overlapping(0, 1, 0.1)) == Overlap::below);
+  CHECK(overlap(overlapping(0, -1, 0.1)) == Overlap::above);
+  CHECK(overlap(overlapping(0, -1, 1.5)) == Overlap::unknown);
+  CHECK(overlap(overlapping(0, 0, 0)) == Overlap::unknown);
+  Srif twisted = overlapping(0, -1e-9, 0);
   twisted.K2 = 1;
   CHECK(overlap(twisted) == Overlap::unknown);
-  Srif lost = of(0, 1, 0.1);
+  Srif lost = overlapping(0, 1, 0.1);
   lost.resolved[0] = false;
   CHECK(overlap(lost) == Overlap::unknown);
-  CHECK_FALSE(at_faces(lost, section, {}).overlap.has_value());
+  CHECK_FALSE(at_faces(lost, overlap_section, {}).overlap.has_value());
 }
 
 TEST_CASE("overlaps: closing the faces again takes the energy that the tip releases") {
-  const double K1 = -3, h = section.thickness;
-  const double overlap = *at_faces(of(0, K1, 0), section, {}).overlap;
+  const double K1 = -3, h = overlap_section.thickness;
+  const double overlap = *at_faces(overlapping(0, K1, 0), overlap_section, {}).overlap;
   const double turn = overlap / (h / 2) / std::sqrt(2 * h);  // [psi] = turn sqrt(2 r)
   double G = 0;  // Irwin: half the moments ahead of the tip times the turn of the faces, as if the tip had gone on by 1
   constexpr int slices = 4000;
@@ -55,14 +55,16 @@ TEST_CASE("overlaps: closing the faces again takes the energy that the tip relea
     const double dx = 2 * std::sin(angle) * std::cos(angle) * std::numbers::pi / 2 / slices;
     G += 0.5 * std::abs(K1) / std::sqrt(2 * x) * turn * std::sqrt(2 * (1 - x)) * dx;
   }
-  CHECK(G == Approx(12 * std::numbers::pi * K1 * K1 / (section.young * h * h * h)).epsilon(1e-5));  // theory (50)
+  CHECK(G ==
+        Approx(12 * std::numbers::pi * K1 * K1 / (overlap_section.young * h * h * h)).epsilon(1e-5));  // theory (50)
 }
 
 TEST_CASE("overlaps: rows count by the recommended method, with the times of the first and of the first change") {
-  const auto found = face_overlaps(table_of({{of(1, 0, 0), of(0, 1, 0.1), of(0, -9, 0.1, SrifMethod::series_fit)},
-                                             {of(1, -4, 0.1), of(0, -2, 0.1)},
-                                             {of(1, -0.001, 0), of(0, 3, 0.1)},
-                                             {of(1, -5, 0.1), of(0, -0.5, 0.1)}}));
+  const auto found = face_overlaps(
+      table_of({{overlapping(1, 0, 0), overlapping(0, 1, 0.1), overlapping(0, -9, 0.1, SrifMethod::series_fit)},
+                {overlapping(1, -4, 0.1), overlapping(0, -2, 0.1)},
+                {overlapping(1, -0.001, 0), overlapping(0, 3, 0.1)},
+                {overlapping(1, -5, 0.1), overlapping(0, -0.5, 0.1)}}));
   REQUIRE(found.size() == 2);
   CHECK(found[0].tip == 0);
   CHECK(found[0].rows == 4);
@@ -76,17 +78,18 @@ TEST_CASE("overlaps: rows count by the recommended method, with the times of the
 }
 
 TEST_CASE("overlaps: one line for every crack, none where K1 is positive") {
-  const auto found = face_overlaps(table_of({{of(0, 1, 0), of(1, -2, 0), of(2, -3, 0), of(3, 4, 0), of(4, 5, 0)}}));
+  const auto found = face_overlaps(table_of({{overlapping(0, 1, 0), overlapping(1, -2, 0), overlapping(2, -3, 0),
+                                              overlapping(3, 4, 0), overlapping(4, 5, 0)}}));
   const auto crack = [](std::size_t tip) { return tip / 2; };
-  const auto lines = warnings_about_faces(found, section, crack, {});
+  const auto lines = warnings_about_faces(found, overlap_section, crack, {});
   REQUIRE(lines.size() == 2);
   CHECK_THAT(lines[0],
              Catch::StartsWith("crack 0: K1 is negative") && Catch::Contains("at 1 tip, K1 = -2 at tip 1 (1, 2)"));
   CHECK_THAT(lines[1], Catch::StartsWith("crack 1: ") && Catch::Contains("tip 2") && !Catch::Contains("tip 3"));
-  const auto moving = face_overlaps(table_of({{of(0, 1, 0)}, {of(0, -2, 0)}}));
+  const auto moving = face_overlaps(table_of({{overlapping(0, 1, 0)}, {overlapping(0, -2, 0)}}));
   const auto at = [](double time) { return "t = " + std::to_string(time).substr(0, 3); };
-  CHECK_THAT(warnings_about_faces(moving, section, crack, at).at(0),
+  CHECK_THAT(warnings_about_faces(moving, overlap_section, crack, at).at(0),
              Catch::Contains("K1 is negative in 1 of 2 rows at tip 0, first at t = 0.5"));
-  CHECK_THAT(warnings_about_faces(moving, section, {}, at).at(0), Catch::StartsWith("cracks: "));
-  CHECK(warnings_about_faces({}, section, {}, {}).empty());
+  CHECK_THAT(warnings_about_faces(moving, overlap_section, {}, at).at(0), Catch::StartsWith("cracks: "));
+  CHECK(warnings_about_faces({}, overlap_section, {}, {}).empty());
 }

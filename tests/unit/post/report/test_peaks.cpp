@@ -7,7 +7,7 @@
 
 namespace {
 
-post::Srif of(std::size_t tip, post::SrifMethod method, double K1, double K2, bool resolves = true) {
+post::Srif peak(std::size_t tip, post::SrifMethod method, double K1, double K2, bool resolves = true) {
   post::Srif srif;
   srif.tip = tip, srif.method = method, srif.K1 = K1, srif.K2 = K2, srif.resolved = {true, resolves, false};
   return srif;
@@ -17,11 +17,11 @@ post::Srif of(std::size_t tip, post::SrifMethod method, double K1, double K2, bo
 
 TEST_CASE("peaks: of each tip by its recommended method, with sign and time, what is not resolved left out") {
   const std::vector<std::vector<post::Srif>> rows{
-      {of(0, post::SrifMethod::domain_integral, 1, 0), of(0, post::SrifMethod::series_fit, 99, 99),
-       of(1, post::SrifMethod::domain_integral, -1, 2)},
-      {of(0, post::SrifMethod::domain_integral, -3, 0), of(0, post::SrifMethod::series_fit, 99, 99),
-       of(1, post::SrifMethod::domain_integral, 0.5, 2.5, false)},
-      {of(0, post::SrifMethod::domain_integral, 2, 0), of(1, post::SrifMethod::domain_integral, 0.5, -3)},
+      {peak(0, post::SrifMethod::domain_integral, 1, 0), peak(0, post::SrifMethod::series_fit, 99, 99),
+       peak(1, post::SrifMethod::domain_integral, -1, 2)},
+      {peak(0, post::SrifMethod::domain_integral, -3, 0), peak(0, post::SrifMethod::series_fit, 99, 99),
+       peak(1, post::SrifMethod::domain_integral, 0.5, 2.5, false)},
+      {peak(0, post::SrifMethod::domain_integral, 2, 0), peak(1, post::SrifMethod::domain_integral, 0.5, -3)},
   };
   const plate::Section section{1, 0.3, 0.5, 5.0 / 6, 0};
   const auto found = post::peaks({0, 0.5, 1}, rows, section, std::nullopt);
@@ -48,12 +48,12 @@ TEST_CASE("peaks: of each tip by its recommended method, with sign and time, wha
 
 TEST_CASE("peaks: none of a factor that may be larger where it is not resolved") {
   const plate::Section section{1, 0.3, 0.5, 5.0 / 6, 0};
-  auto lost = of(0, post::SrifMethod::domain_integral, 0.5, 2, false);
+  auto lost = peak(0, post::SrifMethod::domain_integral, 0.5, 2, false);
   const auto names = [&](double error) {
     lost.errors[1] = error;
     std::vector<std::string> result;
     for (const auto& peak :
-         post::peaks({0, 1}, {{of(0, post::SrifMethod::domain_integral, 1, 3)}, {lost}}, section, std::nullopt))
+         post::peaks({0, 1}, {{peak(0, post::SrifMethod::domain_integral, 1, 3)}, {lost}}, section, std::nullopt))
       result.push_back(peak.quantity);
     return result;
   };

@@ -8,7 +8,7 @@
 
 namespace {
 
-post::Srif of(std::size_t tip, post::SrifMethod method, double K1, double K2, double K3, double error) {
+post::Srif printed_factors(std::size_t tip, post::SrifMethod method, double K1, double K2, double K3, double error) {
   post::Srif srif;
   srif.tip = tip, srif.method = method, srif.K1 = K1, srif.K2 = K2, srif.K3 = K3, srif.estimated_error = error;
   return srif;
@@ -17,9 +17,9 @@ post::Srif of(std::size_t tip, post::SrifMethod method, double K1, double K2, do
 post::Summary summary() {
   post::Summary result;
   result.seconds = {{"total", 1.5}};
-  result.srif = {of(0, post::SrifMethod::domain_integral, 2, 3e-11, -0.5, 0.002),
-                 of(0, post::SrifMethod::opening, 1.3, 0, 0, 0.34),
-                 of(1, post::SrifMethod::domain_integral, 1, 0.5, 1e-5, 0.002)};
+  result.srif = {printed_factors(0, post::SrifMethod::domain_integral, 2, 3e-11, -0.5, 0.002),
+                 printed_factors(0, post::SrifMethod::opening, 1.3, 0, 0, 0.34),
+                 printed_factors(1, post::SrifMethod::domain_integral, 1, 0.5, 1e-5, 0.002)};
   result.srif[2].resolved[2] = false;
   return result;
 }
@@ -78,7 +78,7 @@ TEST_CASE("printed: peaks of a motion with their times") {
 
 TEST_CASE("printed: the error of a row is of the factors that it has") {
   auto content = summary();
-  content.srif = {of(0, post::SrifMethod::domain_integral, 2, 0.5, 40, 3)};
+  content.srif = {printed_factors(0, post::SrifMethod::domain_integral, 2, 0.5, 40, 3)};
   content.srif[0].errors = {0.02, 0.05, 120.0};
   CHECK_THAT(post::printed(content, false, 0.1, "there"), Catch::Contains("> 100 %") && Catch::Contains("(rough)"));
   content.srif[0].resolved[2] = false;
@@ -87,7 +87,7 @@ TEST_CASE("printed: the error of a row is of the factors that it has") {
 
 TEST_CASE("printed: whether K3 is nothing depends on K3 times the thickness, not on the unit of length") {
   auto content = summary();
-  content.srif = {of(0, post::SrifMethod::domain_integral, 2, 1, 5e-5, 0.002)};
+  content.srif = {printed_factors(0, post::SrifMethod::domain_integral, 2, 1, 5e-5, 0.002)};
   content.srif[0].errors = {0.002, 0.002, 1e-3};
   for (const double thickness : {0.01, 0.1, 1.0}) {
     content.srif[0].K3 = 1e-7 / thickness;  // 5e-8 of K1

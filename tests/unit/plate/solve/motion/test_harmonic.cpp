@@ -17,14 +17,14 @@ constexpr Eigen::Index points = 60;
 const double turn = 2 * std::numbers::pi;
 
 /// A chain between walls with masses that vary, in w alone.
-struct Chain {
+struct VaryingChain {
   spring_chain::Chain chain{points};
   spring_chain::Inverse inverse{chain};
   Constraints constraints;
   Forces mass = Forces::Zero(3, points), load = mass;
   Eigen::MatrixXd stiffness{points, points};
 
-  Chain() {
+  VaryingChain() {
     for (std::uint32_t k = 0; k < points; ++k) constraints.fix(dof(k, 1)), constraints.fix(dof(k, 2));
     constraints.resolve();
     for (Eigen::Index i = 0; i < points; ++i) mass(0, i) = 1 + 0.1 * double(i % 7), load(0, i) = std::sin(0.3 * i);
@@ -61,7 +61,7 @@ TEST_CASE("a sweep: equally far from each other, both ends") {
 }
 
 TEST_CASE("a harmonic response is that of all equations, below, at and between resonances, for three dampings") {
-  const Chain chain;
+  const VaryingChain chain;
   const double lowest = std::sqrt(chain.stiffness(0, 0) / 1.3) * std::numbers::pi / (points + 1) / turn;  // or near it
   for (const Damping damping : {Damping{1e-3, 0}, Damping{0, 0.3}, Damping{0.02, 0.05}}) {
     const auto response = chain.response({Sweep{0.01 * lowest, 12 * lowest, 24}, damping});
@@ -84,7 +84,7 @@ TEST_CASE("a harmonic response is that of all equations, below, at and between r
 }
 
 TEST_CASE("a harmonic response: resonances are those of the plate without damping, and what is watched is known") {
-  const Chain chain;
+  const VaryingChain chain;
   const Eigen::VectorXd root = chain.mass.row(0).cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(root.asDiagonal() * chain.stiffness * root.asDiagonal());
   HarmonicOptions options{Sweep{1e-4, 1.05 * std::sqrt(modes.eigenvalues()[5]) / turn, 10}, Damping{1e-3, 0}};
@@ -107,7 +107,7 @@ TEST_CASE("a harmonic response: resonances are those of the plate without dampin
 }
 
 TEST_CASE("a harmonic response: too few vectors and loads that move nothing are errors") {
-  Chain chain;
+  VaryingChain chain;
   HarmonicOptions options{Sweep{0.01, 0.3, 10}, Damping{1e-6, 0}};
   options.max_vectors = 20;
   CHECK_THROWS_AS(chain.response(options), NumericalError);
