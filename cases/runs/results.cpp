@@ -143,7 +143,7 @@ void Results::shape(std::size_t number, const plate::State& bending, const plate
     plate::CoupledEquilibrium found;
     found.bending = bending, found.membrane = in_plane, found.on_bending = found.on_membrane = none;
     membrane_ = membrane;
-    in_plane_ = membrane_results(plate_, *membrane, found, {none, none}, {no_factors, tip_methods_},
+    in_plane_ = membrane_results(plate_, *membrane, found, {none, none}, {}, {no_factors, tip_methods_},
                                  fmt::format("of mode {}", number));
   }
   frame({number, double(number), bending, {}, 0, 0, 0, 0});

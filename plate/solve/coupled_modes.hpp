@@ -7,7 +7,7 @@
 
 namespace plate {
 
-/// A plate whose bending and stretching are coupled, at rest under its loads in the plane, which bend it too.
+/// A plate whose bending and stretching are coupled, at rest under its loads in the plane, which bend it too, and heat.
 struct CoupledPrestress {
   CoupledEquilibrium at_rest;
   PointMatrix geometric;  // stiffness of the deflections by its membrane forces and those of stiffeners
