@@ -102,9 +102,6 @@ constexpr const char* equilibria =
     "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
-constexpr const char* coupled_elsewhere =
-    "bending and stretching that are coupled are found at rest, in motion by steps, for frequencies and buckling only: "
-    "choose another kind, make plies symmetric, or remove stiffener[].eccentricity";
 constexpr const char* of_uncoupled =
     "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
@@ -269,7 +266,6 @@ const std::vector<Exclusion> excluded_pairs{
      "\"lanczos\" moves plates that bend alone, and bending and stretching are coupled; choose \"central_difference\""},
     {coupled_section, stiffness_damping, "analysis.damping",
      "damping by the stiffness does not act in the plane yet: give mass alone"},
-    {coupled_section, harmonic, "analysis.kind", coupled_elsewhere},
     {coupled_section, touching_faces, "cracks.contact",
      "contact is found where only faces that touch couple bending and stretching: remove it, or "
      "stiffener[].eccentricity"},

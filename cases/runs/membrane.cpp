@@ -154,6 +154,15 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
   return result;
 }
 
+MembraneResult results_of_shape(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const StatesOfBoth& shape, const plate::Heat& heat, const std::string& where) {
+  const std::optional<post::SrifOptions> no_factors;
+  const auto none = plate::zero_forces(plate.points());
+  plate::CoupledEquilibrium found;
+  found.bending = shape.bending, found.membrane = shape.membrane, found.on_bending = found.on_membrane = none;
+  return membrane_results(plate, membrane, found, {none, none}, heat, {no_factors, {}}, where);
+}
+
 double work_of_supports(const plate::Formulation& plate, const plate::CoupledEquilibrium& found,
                         const plate::Forces& across, const plate::State& lift) {
   const plate::Forces load = across + found.on_bending;

@@ -107,6 +107,10 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
                                 const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
                                 const plate::Heat& heat, const MembraneFactorsWanted& wanted, const std::string& where);
 
+/// Fields in the plane of a shape of a coupled plate, without loads.
+MembraneResult results_of_shape(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const StatesOfBoth& shape, const plate::Heat& heat, const std::string& where);
+
 /// Work of the supports of a coupled plate that have moved slowly, by `lift`. `across`: the load of the plate.
 double work_of_supports(const plate::Formulation& plate, const plate::CoupledEquilibrium& found,
                         const plate::Forces& across, const plate::State& lift);

@@ -16,6 +16,7 @@
 #include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/curve_plot.hpp"
 #include "post/report/curves.hpp"

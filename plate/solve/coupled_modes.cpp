@@ -184,6 +184,26 @@ FrequencySolution coupled_frequencies(const Formulation& plate, const Formulatio
   return result;
 }
 
+Inertia coupled_inertia(const Formulation& plate, double rotary, const Constraints& constraints) {
+  const PointMatrix mass = stacked_mass(plate, rotary);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](std::uint32_t row, std::uint32_t column, const Eigen::Matrix3d& block) {
+    for (std::uint32_t c = 0; c < unknowns_per_point; ++c)  // of one component each
+      if (const double m = block(c, c); m != 0)
+        entries.emplace_back(int(index_in_state({row, c}, mass.points())),
+                             int(index_in_state({column, c}, mass.points())), m);
+  };
+  for (std::uint32_t k = 0; k < mass.points(); ++k)
+    for (auto b = mass.first[k]; b < mass.first[k + 1]; ++b) {
+      add(mass.row[b], k, mass.block[b]);
+      if (mass.row[b] != k) add(k, mass.row[b], mass.block[b]);
+    }
+  const auto values = Index(unknowns_per_point * mass.points());
+  Matrix result(values, values);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return {std::move(result), constraints};
+}
+
 std::vector<BucklingMode> coupled_buckling(const Formulation& plate, const Formulation& membrane,
                                            const PointMatrix& geometric, std::size_t modes, double tolerance) {
   constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding

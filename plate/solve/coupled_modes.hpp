@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "plate/formulation/inertia.hpp"
 #include "plate/solve/buckling.hpp"
 #include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/motion/frequencies.hpp"
@@ -23,6 +24,9 @@ CoupledPrestress coupled_prestress(const Formulation& plate, const Formulation& 
 /// @throws NumericalError  where the iteration does not converge, or the plate buckles below the loads
 FrequencySolution coupled_frequencies(const Formulation& plate, const Formulation& membrane, double rotary,
                                       const PointMatrix* geometric, const FrequencyOptions& options);
+
+/// Mass of stacked states of a plate and of its plane, lumped. `constraints`: of stacked states; must outlive it.
+Inertia coupled_inertia(const Formulation& plate, double rotary, const Constraints& constraints);
 
 /// The lowest positive factors at which it buckles under membrane forces, as buckling().
 /// @throws NumericalError  where the iteration does not converge

@@ -96,6 +96,14 @@ CoupledPlate::CoupledPlate(const Formulation& plate, const Formulation& membrane
 
 CoupledPlate::~CoupledPlate() = default;
 
+const Operator& CoupledPlate::of_both() const {
+  return *both_;
+}
+
+const Preconditioner& CoupledPlate::inverse() const {
+  return *factor_;
+}
+
 std::size_t CoupledPlate::factor_bytes() const {
   return factor_->bytes();
 }

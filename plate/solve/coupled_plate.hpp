@@ -40,6 +40,11 @@ public:
   CoupledEquilibrium equilibrium(const PlateLoads& loads, const StaticOptions& options,
                                  const State& lift = no_state()) const;
   std::size_t factor_bytes() const;
+
+  /// Stiffness of stacked states, what holds these, and the inverse of the stiffness.
+  const Operator& of_both() const;
+  const Constraints& constraints() const { return constraints_; }
+  const Preconditioner& inverse() const;
   /// The linear stiffness of stacked states, with its coupling(); all three must outlive it.
   static std::unique_ptr<const Operator> stiffness(const Formulation& plate, const Formulation& membrane,
                                                    const PointMatrix& coupling);
