@@ -251,7 +251,8 @@ TEST_CASE("coupled harmonic response: a plate that moves freely in its plane is 
   std::string free = shaken;
   free.erase(free.find("in_plane"));
   const auto file = cases::read_case_text(free + pressed + swept, "free", {});
-  CHECK_THROWS_AS(cases::run(file, {.folder = {}, .quiet = true}), cases::CaseError);
+  post::ResultsInMemory results;
+  CHECK_THROWS_AS(cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results}), cases::CaseError);
 }
 
 namespace {
@@ -264,7 +265,8 @@ post::Summary clamped_summary(double mean, const std::string& analysis) {
     text.insert(at, "alpha1 = -1e-6, alpha2 = 3e-5, ");
   const auto heat = "[[load]]\nkind = 'temperature'\nmean = " + std::to_string(mean) + "\n";
   const auto file = cases::read_case_text(text + heat + analysis, "clamped", {});
-  return cases::run(file, {.folder = {}, .quiet = true});
+  post::ResultsInMemory results;
+  return cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
 }
 
 }  // namespace
