@@ -280,3 +280,27 @@ TEST_CASE("coupled heat: held plies buckle at the temperature at which their low
   CHECK(warm < 0.05 * cold);
   CHECK_THROWS_AS(clamped_summary(1.001 * critical, own), NumericalError);
 }
+
+TEST_CASE("coupled heat: a warm strip with a cold rib on one side bends as the composite beam") {
+  constexpr double half = 0.025, L = 1, h = 0.01, E = 1000, alpha = 1e-5, warm = 100;
+  Section section{E, 0.3, h, 5.0 / 6, 2};
+  section.thermal_expansion = alpha;
+  auto c = rectangle(section, L, 2 * half, half / 4);
+  auto hold = vp::held(SupportKind::in_plane, {});
+  hold.points = {{L / 2, 0}, {L / 2, 2 * half}};
+  c.supports = {vp::held(SupportKind::simply_supported, {"left", "right"}), hold};
+  Stiffener rib;
+  rib.along = {{0, half}, {L, half}};
+  rib.axial = 0.3, rib.bending = 1e-5, rib.eccentricity = 0.03;
+  c.stiffeners = {rib};
+  c.loads = {Load{Temperature{.mean = warm}}};
+  const auto made = discretise(c);
+  const auto found = CoupledPlate(*made.plate, *made.membrane)
+                         .equilibrium({made.plate->total_load(), made.membrane->total_load()}, {1e-9, 10, {}});
+  const double EA = E * 2 * half * h, both = EA + rib.axial, first = rib.axial * rib.eccentricity,
+               second = EA * h * h / 12 + rib.bending + first * rib.eccentricity;
+  const double curvature = -EA * alpha * warm * first / (both * second - first * first);
+  const double exact = curvature * L * L / 8, w = at(*made.plate, found.bending, {L / 2, half});
+  INFO(w / exact - 1);
+  CHECK(w == Approx(exact).epsilon(0.008));  // measured: +0.50 %
+}
