@@ -125,11 +125,15 @@ double stored_by_linear(const Formulation& plate, const Heat& heat, const State&
   })[0];
 }
 
+namespace {
+
 /// Energy per area of a plate that is held flat, by the square of its free curvature.
 double energy_held_flat(const Section& section) {
   if (section.expands_by_plies()) return held_plies(section).energy;
   return moments_held_flat(section).head<2>().sum() / 2;
 }
+
+}  // namespace
 
 double stored(const Formulation& plate, const Heat& heat, const State& state) {
   if (!heated(plate.problem())) return 0;

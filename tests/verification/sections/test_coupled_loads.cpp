@@ -191,7 +191,7 @@ constexpr const char* shaken = R"([section]
 density = 2.0
 plies = [
   { E1 = 25000.0, E2 = 1000.0, nu12 = 0.25, G12 = 500.0, G13 = 500.0, G23 = 200.0, thickness = 0.01 },
-  { E1 = 25e3, E2 = 1e3, nu12 = 0.25, G12 = 500.0, G13 = 500.0, G23 = 2e2, angle = 90, thickness = 0.01, density = 6.0 }]
+  { E1 = 25e3, E2 = 1e3, nu12 = 0.25, G12 = 500.0, G13 = 5e2, G23 = 2e2, angle = 90, thickness = 0.01, density = 6.0 }]
 [geometry]
 outline = { rectangle = [0.0, 0.0, 1.0, 0.6] }
 [discretization]
