@@ -61,7 +61,8 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
   const bool may_fly = c.moves() && c.analysis.start == Analysis::Start::undeformed;
   // pins would bear what contact presses
   const bool parted = c.faces_touch() && result.membrane && result.membrane->pieces().size() > 1;
-  if (!may_fly && (parted || (result.membrane && plate::loaded_in_plane(c))))
+  if (!may_fly && (parted || (result.membrane &&
+                              (plate::loaded_in_plane(c) || c.analysis.kind == plate::Analysis::Kind::harmonic))))
     for (auto& problem : problems_of(file, plate::loose(*result.membrane))) problems.push_back(std::move(problem));
   check_places(file, plate, problems);
   check_held_in_plane(file, result, problems);

@@ -35,12 +35,12 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {buckling, "`analysis.kind = \"buckling\"`"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
     {temperature, "a load of kind `\"temperature\"`"},
-    {mean_temperature, "`mean` of a load of kind `\"temperature\"`"},
+    {mean_temperature, "`mean` of a load of kind `\"temperature\"`, or one of plies that are not symmetric"},
     {load_cases, "`[[case]]`"},
     {combinations, "`[[combination]]`"},
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
-    {coupled_section, "plies that are not symmetric, or a stiffener with `eccentricity`"},
+    {coupled_section, "plies that are not symmetric or have `alpha1` or `alpha2`, or a stiffener with `eccentricity`"},
     {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
     {pressed_stiffener, "`stiffener.axial` in motion, with large deflections, buckling or frequencies"},
@@ -102,9 +102,6 @@ constexpr const char* equilibria =
     "load cases are states of rest: they need analysis.kind = \"static\"; loads in time are [[load]] with a history";
 constexpr const char* settlements = "load[].kind";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
-constexpr const char* coupled_elsewhere =
-    "bending and stretching that are coupled are found at rest, in motion by steps, for frequencies and buckling only: "
-    "choose another kind, make plies symmetric, or remove stiffener[].eccentricity";
 constexpr const char* of_uncoupled =
     "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
 constexpr const char* layer_kinds = "support[].kind";
@@ -269,19 +266,12 @@ const std::vector<Exclusion> excluded_pairs{
      "\"lanczos\" moves plates that bend alone, and bending and stretching are coupled; choose \"central_difference\""},
     {coupled_section, stiffness_damping, "analysis.damping",
      "damping by the stiffness does not act in the plane yet: give mass alone"},
-    {coupled_section, harmonic, "analysis.kind", coupled_elsewhere},
     {coupled_section, touching_faces, "cracks.contact",
      "contact is found where only faces that touch couple bending and stretching: remove it, or "
      "stiffener[].eccentricity"},
     {coupled_section, unilateral_foundation, "foundation",
      "soil that lifts off is not found beside coupled bending and stretching yet: remove lifts_off, make plies "
      "symmetric, or remove stiffener[].eccentricity"},
-    {coupled_section, settlement, settlements,
-     "\"settlement\" given: supports that move are not carried beside coupled bending and stretching yet: remove it, "
-     "make plies symmetric, or remove stiffener[].eccentricity"},
-    {coupled_section, temperature, "load",
-     "heat would stretch a section whose bending and stretching are coupled, which is not carried yet: remove it, make "
-     "plies symmetric, or remove stiffener[].eccentricity"},
     {coupled_section, growth, "growth",
      "cracks grow by factors of bending and tension that do not act on each other: remove it, or "
      "stiffener[].eccentricity"},
@@ -368,7 +358,9 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);
   add(any_load([](const auto& load) { return load.template as<plate::Temperature>() != nullptr; }), temperature);
-  add(any_load([](const auto& load) { return load.template as<plate::Temperature>() && load.in_plane(); }),
+  const bool couples = content.section.couples();  // heat across the plate then acts in its plane
+  add(any_load(
+          [&](const auto& load) { return load.template as<plate::Temperature>() && (couples || load.in_plane()); }),
       mean_temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
   add(!content.combinations.empty(), combinations);

@@ -202,6 +202,10 @@ Fields<Ply> ply_fields() {
   fields.push_back(number<Ply>("thickness", "length", &Ply::thickness, positive, "thickness of the ply").required());
   fields.push_back(
       number<Ply>("density", "mass/length^3", &Ply::density, positive, "of the ply; without it section.density"));
+  fields.push_back(number<Ply>("alpha1", "1/temperature", &Ply::alpha1, finite,
+                               "thermal strain along axis 1; without it section.thermal_expansion"));
+  fields.push_back(number<Ply>("alpha2", "1/temperature", &Ply::alpha2, finite,
+                               "thermal strain along axis 2; without it section.thermal_expansion"));
   return fields;
 }
 

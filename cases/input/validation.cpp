@@ -317,9 +317,10 @@ std::vector<KeyError> errors_in_section(const plate::Problem& problem) {
   std::vector<KeyError> found;
   const auto& section = problem.section;
   if (section.couples())
-    found.push_back({"srif",
-                     "factors of bending and tension are coupled at tips in plies that are not symmetric, and are not "
-                     "found: make section.plies symmetric, or remove [srif]"});
+    found.push_back(
+        {"srif",
+         "factors of bending and tension are coupled at tips in plies that are not symmetric or have alpha1, "
+         "alpha2, and are not found: make section.plies symmetric, or remove [srif]"});
   if (!section.simple() && !section.uniform()) check_tips(problem, found);
   return found;
 }

@@ -177,7 +177,8 @@ plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step)
     return {step, number, now.state, {}, 0, curved->external_work, curved->strain_energy()};
   if (const auto& both = now.coupled) {
     const double work = post::slow_work(plate_, now.load, now.state) +
-                        post::slow_work(*ready_.membrane, now.in_plane->load, both->membrane);
+                        post::slow_work(*ready_.membrane, now.in_plane->load, both->membrane) +
+                        work_of_supports(plate_, *both, now.load, now.lift);
     return {step, number, now.state, {}, 0, work, both->strain_energy(), 0, -2 * work};
   }
   const auto& strained = now.what_strains();
@@ -203,11 +204,12 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
     now.potential = -2 * now.external_work;
   }
   const double number = now.time, work = now.external_work, strain = now.strain_energy;
-  const double heated = plate::stored(plate_, heat, state) + (curved ? in_plane->stored : 0);
+  const double across = plate::stored(plate_, heat, state),
+               heated = across + (curved || coupled ? in_plane->stored : 0);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   if (coupled)
-    one.energy_parts = {{"bending", coupled->bending_energy},
-                        {"stretching", coupled->stretching_energy},
+    one.energy_parts = {{"bending", coupled->bending_energy + across},
+                        {"stretching", one.membrane->strain_energy},
                         {"coupling", coupled->coupling_energy}};
   if (curved) one.membrane->external_work = one.external_work;
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
@@ -274,7 +276,7 @@ MembraneResult LoadCases::look_in_plane(const post::LoadCaseSummary& one, const 
     return result;
   }
   if (known.coupled) {
-    auto result = membrane_results(plate_, membrane, *known.coupled, {known.load, now.load}, wanted, where);
+    auto result = membrane_results(plate_, membrane, *known.coupled, {known.load, now.load}, now.heat, wanted, where);
     if (one.superposed()) post::widen_errors(result.factors, parts_of(one, true), membrane.section().thickness);
     factors_in_plane_.push_back(result.factors);
     return result;
@@ -351,13 +353,14 @@ std::vector<std::string> LoadCases::warnings() const {
 void LoadCases::find_both(post::LoadCaseSummary& one, LoadCaseState& now) {
   const auto& analysis = content().analysis;
   auto& about = summary().analysis;
-  auto found = coupled_->equilibrium({now.load, now.in_plane->load}, {analysis.tolerance, analysis.max_iterations, {}});
+  auto found = coupled_->equilibrium({now.load, now.in_plane->load}, {analysis.tolerance, analysis.max_iterations, {}},
+                                     now.lift);
   stopwatch().lap("solve");
   require_equilibrium(plate_, found.of_both, analysis.tolerance, one.name);
   one.iterations = found.of_both.iterations, one.residual = found.of_both.residual;
   about.iterations = about.iterations.value_or(0) + found.of_both.iterations;
   about.residual = std::max(about.residual.value_or(0), *one.residual);
-  now.state = found.bending, now.in_plane->state = found.membrane;
+  now.state = found.bending, now.strained = found.strained, now.in_plane->state = found.membrane;
   now.coupled = std::move(found);
 }
 

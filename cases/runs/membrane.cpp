@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "cases/input/case_file.hpp"
 #include "cases/runs/cost_estimate.hpp"
 #include "fracture/breakage/damaged_plate.hpp"
 #include "fracture/growth/distributed_growth.hpp"
@@ -114,12 +115,12 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
 }
 
 void couple(MembraneResult& result, const plate::Formulation& plate, const plate::Formulation& membrane,
-            const StatesOfBoth& states, const Eigen::Matrix3Xd& strains) {
+            const StatesOfBoth& states, const Eigen::Matrix3Xd& strains, const plate::Heat& heat) {
   if (!plate.section().couples()) return;
   result.of_both = plate.resultants(states.bending), result.forces = membrane.resultants(states.membrane);
   const auto points = result.forces.moments.cols();
   result.forces.moments += plate::LocalSection(membrane.section()).bending * strains.leftCols(points);
-  plate::couple(*result.of_both, result.forces, plate.section());
+  plate::couple(*result.of_both, result.forces, plate.section(), &heat);
   result.fields.force = result.forces.moments;
 }
 
@@ -132,7 +133,7 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
   result.forces.moments = found.membrane_forces;
   plate::relieve(result.forces, membrane.section(), heat);
   result.fields.force = result.forces.moments;
-  couple(result, plate, membrane, {found.bending, found.membrane}, found.stretch.strains);
+  couple(result, plate, membrane, {found.bending, found.membrane}, found.stretch.strains, heat);
   result.stored += found.stored_by_deflections;
   result.summary.strain_energy = found.membrane_energy + result.stored;
   result.summary.external_work = found.external_work + result.stored;
@@ -142,13 +143,30 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
 
 MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
                                 const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
-                                const MembraneFactorsWanted& wanted, const std::string& where) {
-  auto result = membrane_results(membrane, found.membrane, loads.in_plane + found.on_membrane, {}, wanted, where);
-  result.summary.strain_energy = found.stretching_energy;
-  result.summary.external_work = post::slow_work(membrane, loads.in_plane, found.membrane);
+                                const plate::Heat& heat, const MembraneFactorsWanted& wanted,
+                                const std::string& where) {
+  auto result = membrane_results(membrane, found.membrane, loads.in_plane + found.on_membrane, heat, wanted, where);
+  result.summary.strain_energy = found.stretching_energy + result.stored;
+  result.summary.external_work = post::slow_work(membrane, loads.in_plane, found.membrane) + result.stored;
   result.summary.residual = found.of_both.residual;
-  couple(result, plate, membrane, {found.bending, found.membrane}, Eigen::Matrix3Xd::Zero(3, found.bending.cols()));
+  couple(result, plate, membrane, {found.what_strains(), found.membrane},
+         Eigen::Matrix3Xd::Zero(3, found.bending.cols()), heat);
   return result;
+}
+
+MembraneResult results_of_shape(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const StatesOfBoth& shape, const plate::Heat& heat, const std::string& where) {
+  const std::optional<post::SrifOptions> no_factors;
+  const auto none = plate::zero_forces(plate.points());
+  plate::CoupledEquilibrium found;
+  found.bending = shape.bending, found.membrane = shape.membrane, found.on_bending = found.on_membrane = none;
+  return membrane_results(plate, membrane, found, {none, none}, heat, {no_factors, {}}, where);
+}
+
+double work_of_supports(const plate::Formulation& plate, const plate::CoupledEquilibrium& found,
+                        const plate::Forces& across, const plate::State& lift) {
+  const plate::Forces load = across + found.on_bending;
+  return plate::PrescribedDisplacements(plate, load, lift).work(found.what_strains());
 }
 
 post::Table load_steps(const std::vector<plate::LoadStep>& steps, plate::LoadControl control) {

@@ -90,9 +90,9 @@ struct StatesOfBoth {
   const plate::State &bending, &membrane;
 };
 /// Completes moments and membrane forces of a section that couples, where the middle plane has these strains by the
-/// deflections [3 x points]; of other sections nothing changes.
+/// deflections [3 x points], and heat; of other sections nothing changes.
 void couple(MembraneResult& result, const plate::Formulation& plate, const plate::Formulation& membrane,
-            const StatesOfBoth& states, const Eigen::Matrix3Xd& strains);
+            const StatesOfBoth& states, const Eigen::Matrix3Xd& strains, const plate::Heat& heat);
 
 /// Results in the plane of an equilibrium with large deflections, with the strains that the deflections add.
 /// `in_plane`: the load there, with `heat`; `where`: in messages.
@@ -105,7 +105,15 @@ MembraneResult membrane_results(const plate::Formulation& plate, const plate::Fo
 /// @throws plate::NumericalError  a number is not finite
 MembraneResult membrane_results(const plate::Formulation& plate, const plate::Formulation& membrane,
                                 const plate::CoupledEquilibrium& found, const plate::PlateLoads& loads,
-                                const MembraneFactorsWanted& wanted, const std::string& where);
+                                const plate::Heat& heat, const MembraneFactorsWanted& wanted, const std::string& where);
+
+/// Fields in the plane of a shape of a coupled plate, without loads.
+MembraneResult results_of_shape(const plate::Formulation& plate, const plate::Formulation& membrane,
+                                const StatesOfBoth& shape, const plate::Heat& heat, const std::string& where);
+
+/// Work of the supports of a coupled plate that have moved slowly, by `lift`. `across`: the load of the plate.
+double work_of_supports(const plate::Formulation& plate, const plate::CoupledEquilibrium& found,
+                        const plate::Forces& across, const plate::State& lift);
 
 /// The rows of load_steps.csv; by arc length with the columns of the path.
 post::Table load_steps(const std::vector<plate::LoadStep>& steps, plate::LoadControl control = {});

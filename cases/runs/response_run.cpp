@@ -20,6 +20,7 @@
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/motion/harmonic.hpp"
 #include "plate/solve/statics.hpp"
+#include "plate/solve/stretching.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/reactions.hpp"
@@ -33,17 +34,24 @@ namespace {
 class ResponseRun : public PlateAnalysis {
 public:
   ResponseRun(const ValidatedPlate& ready, Outputs& outputs)
-      : PlateAnalysis(ready, outputs), reactions_(plate_, *content().analysis.damping) {}
+      : PlateAnalysis(ready, outputs),
+        coupled_(content().coupled() ? std::make_unique<const plate::CoupledPlate>(plate_, *ready.membrane) : nullptr),
+        reactions_(coupled_ ? post::HarmonicReactions(plate_, *content().analysis.damping, coupled_->of_both(),
+                                                      plate::coupled_inertia(plate_, 1, coupled_->constraints()))
+                            : post::HarmonicReactions(plate_, *content().analysis.damping)) {}
 
   void solve() override;
   void finish() override;
 
 private:
   plate::HarmonicResponse response(post::Progress& progress) const;
+  Eigen::MatrixXd of_values(const Eigen::MatrixXd& functionals) const;
+  plate::State of_plate(const plate::State& state) const { return coupled_ ? plate::of_plate(state) : state; }
   void look(double frequency, const std::pair<plate::State, plate::State>& parts);
   std::vector<post::Srif> factors(const plate::State& state, const plate::Heat& heat) const;
   void draw_period(double frequency, const std::pair<plate::State, plate::State>& parts);
 
+  std::unique_ptr<const plate::CoupledPlate> coupled_;  // where bending and stretching are; states are then stacked
   post::HarmonicReactions reactions_;
   std::vector<post::Response> found_;
   std::vector<std::vector<double>>
@@ -52,20 +60,38 @@ private:
   double where_ = 0;     // its frequency
 };
 
+/// Functionals of states of the plate as those of what is solved.
+Eigen::MatrixXd ResponseRun::of_values(const Eigen::MatrixXd& functionals) const {
+  if (!coupled_ || functionals.rows() == 0) return functionals;
+  const auto points = Eigen::Index(plate_.points());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(functionals.rows(), 2 * functionals.cols());
+  for (Eigen::Index c = 0; c < plate::unknowns_per_point; ++c)
+    result.middleCols(2 * c * points, points) = functionals.middleCols(c * points, points);
+  return result;
+}
+
 plate::HarmonicResponse ResponseRun::response(post::Progress& progress) const {
   const auto& analysis = content().analysis;
   auto load = plate::zero_forces(plate_.points());
   for (const auto& one : plate_.loads()) load += one.forces;
+  if (coupled_) load = plate::stacked(load, ready_.membrane->total_load());
   plate::HarmonicOptions options;
   options.sweep = *analysis.sweep, options.tolerance = analysis.tolerance, options.damping = *analysis.damping;
   options.watched.resize(3);  // factors, probes, reactions
-  for (const auto& tip : ready_.tip_methods) options.watched[0].push_back(tip.functionals());
+  for (const auto& tip : ready_.tip_methods) options.watched[0].push_back(of_values(tip.functionals()));
   for (const auto& probe : outputs_.probes())
-    options.watched[1].push_back(post::functionals(probe, plate_.points(), plate_.section().thickness));
+    options.watched[1].push_back(of_values(post::functionals(probe, plate_.points(), plate_.section().thickness)));
   options.watched[2].push_back(reactions_.functionals());
   options.progress = [&](std::size_t vectors, double change) {
     progress.update(std::min(0.5, double(vectors) / 200), fmt::format("{} vectors, change {:.1e}", vectors, change));
   };
+  if (coupled_)
+    return {coupled_->of_both(),
+            coupled_->constraints(),
+            plate::coupled_inertia(plate_, 1, coupled_->constraints()),
+            load,
+            coupled_->inverse(),
+            options};
   return {plate_, plate_.constraints(), plate_.inertia(1), load, *plate::inverse_of(plate_), options};
 }
 
@@ -82,7 +108,7 @@ double largest_deflection(const std::pair<plate::State, plate::State>& parts, st
 
 void ResponseRun::look(double frequency, const std::pair<plate::State, plate::State>& parts) {
   const auto when = fmt::format("at the frequency {:g}", frequency);
-  const auto& [in_phase, quadrature] = parts;
+  const plate::State in_phase = of_plate(parts.first), quadrature = of_plate(parts.second);
   post::require_finite(in_phase, when, plate_);
   post::require_finite(quadrature, when, plate_);
   const auto& probes = outputs_.probes();
@@ -96,7 +122,7 @@ void ResponseRun::look(double frequency, const std::pair<plate::State, plate::St
   for (auto* all : {&first, &second})
     for (auto& srif : *all) post::widen(srif, unknown_[0][srif.tip] * post::largest_factor(srif, h), h);
   std::ranges::move(post::responses_of(frequency, first, second), std::back_inserter(found_));
-  std::ranges::move(reactions_.at(frequency, in_phase, quadrature), std::back_inserter(found_));
+  std::ranges::move(reactions_.at(frequency, parts.first, parts.second), std::back_inserter(found_));
 }
 
 void ResponseRun::draw_period(double frequency, const std::pair<plate::State, plate::State>& parts) {
@@ -106,7 +132,12 @@ void ResponseRun::draw_period(double frequency, const std::pair<plate::State, pl
     const double turn = double(n) / double(frames), angle = 2 * std::numbers::pi * turn;
     const plate::State state = std::cos(angle) * parts.first - std::sin(angle) * parts.second;
     const auto heat = plate::heat_of(plate_, std::cos(angle));
-    outputs_.frame(plate_, post::frame_of(plate_, turn / frequency, n, state, true, &heat));
+    auto frame = post::frame_of(plate_, turn / frequency, n, of_plate(state), true, &heat);
+    if (coupled_)
+      add_in_plane(frame, plate_, *ready_.membrane,
+                   results_of_shape(plate_, *ready_.membrane, {of_plate(state), plate::of_plane(state)},
+                                    plate::heat_of(*ready_.membrane, std::cos(angle)), "of a period"));
+    outputs_.frame(plate_, std::move(frame));
   }
 }
 

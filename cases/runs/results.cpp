@@ -138,13 +138,8 @@ void Results::mode(std::size_t number, const plate::Mode& mode, const plate::For
 void Results::shape(std::size_t number, const plate::State& bending, const plate::State& in_plane,
                     const plate::Formulation* membrane) {
   if (membrane && in_plane.cols() > 0) {
-    const std::optional<post::SrifOptions> no_factors;
-    const auto none = plate::zero_forces(plate_.points());
-    plate::CoupledEquilibrium found;
-    found.bending = bending, found.membrane = in_plane, found.on_bending = found.on_membrane = none;
     membrane_ = membrane;
-    in_plane_ = membrane_results(plate_, *membrane, found, {none, none}, {no_factors, tip_methods_},
-                                 fmt::format("of mode {}", number));
+    in_plane_ = results_of_shape(plate_, *membrane, {bending, in_plane}, {}, fmt::format("of mode {}", number));
   }
   frame({number, double(number), bending, {}, 0, 0, 0, 0});
   in_plane_.reset();

@@ -102,11 +102,12 @@ MembraneResult StretchedMotionRun::in_plane(const plate::Instant& both, bool las
   MembraneFactorsWanted wanted{content().srif, ready_.membrane_methods, last, &largest_in_plane_};
   std::vector<post::Srif> of_tips;
   if (growth_) of_tips = growth_->factors_in_plane(membrane), wanted.known = &of_tips, wanted.largest = nullptr;
-  auto result = membrane_results(membrane_, membrane, load, plate::heat_at(membrane_, both.time), wanted,
-                                 "in the plane", stretch ? &*stretch : nullptr, growth_ ? growth_->plane() : nullptr);
+  const auto heat = plate::heat_at(membrane_, both.time);
+  auto result = membrane_results(membrane_, membrane, load, heat, wanted, "in the plane", stretch ? &*stretch : nullptr,
+                                 growth_ ? growth_->plane() : nullptr);
   if (const auto* stretching = both_.stretching())
     result.forces.moments = result.fields.force = stretching->membrane_forces(bending, membrane);
-  if (stretch) couple(result, plate_, membrane_, {bending, membrane}, stretch->strains);
+  if (stretch) couple(result, plate_, membrane_, {bending, membrane}, stretch->strains, heat);
   result.summary.strain_energy = both_.energy_in_plane(both.state) - both_.coupling_energy(both.state) + result.stored;
   result.summary.external_work = both.external_work + result.stored;
   return result;

@@ -16,6 +16,7 @@
 #include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/curve_plot.hpp"
 #include "post/report/curves.hpp"
@@ -130,34 +131,41 @@ void CoupledRun::solve() {
   const auto& membrane = *ready_.membrane;
   const plate::PlateLoads loads{plate_.total_load(), membrane.total_load()};
   const plate::CoupledPlate both(plate_, membrane);
-  const auto found = both.equilibrium(loads, {analysis.tolerance, analysis.max_iterations, {}});
+  const auto lift = plate::total_lift(plate_);
+  const auto found = both.equilibrium(loads, {analysis.tolerance, analysis.max_iterations, {}}, lift);
   progress.done();
   stopwatch().lap("solve");
 
   post::describe(summary.analysis, "direct", found.of_both, analysis.tolerance);
   summary.scene.push_back({"factor", "", double(both.factor_bytes()) / double(plate_.cloud().plate_points), 0});
   require_equilibrium(plate_, found.of_both, analysis.tolerance, "in equilibrium");
+  auto in_plane = membrane_results(plate_, membrane, found, loads, plate::heat_of(membrane, 1),
+                                   {content().srif, ready_.membrane_methods}, "in the plane");
   const double strain = found.strain_energy(), work = post::slow_work(plate_, loads.across, found.bending) +
-                                                      post::slow_work(membrane, loads.in_plane, found.membrane);
-  plate::Instant end{found.of_both.iterations, 0, found.bending, {}, 0, work, strain, 0, -2 * work};
+                                                      post::slow_work(membrane, loads.in_plane, found.membrane) +
+                                                      work_of_supports(plate_, found, loads.across, lift);
+  const double stretching = in_plane.summary.strain_energy, stored = in_plane.stored;
+  plate::Instant end{found.of_both.iterations, 0, found.bending, {}, 0, work + stored, strain + stored, 0, -2 * work};
   end.stretched = &found.on_bending;
-  results_.in_plane(membrane, membrane_results(plate_, membrane, found, loads,
-                                               {content().srif, ready_.membrane_methods}, "in the plane"));
+  if (found.strained.cols() > 0) end.rest = &found.strained;
+  results_.in_plane(membrane, std::move(in_plane));
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);
-  summary.energy = {{"strain", strain},
-                    {"bending", found.bending_energy},
-                    {"stretching", found.stretching_energy},
+  summary.energy = {{"strain", results_.strain_energy()},
+                    {"bending", found.bending_energy + (results_.strain_energy() - strain - stored)},
+                    {"stretching", stretching},
                     {"coupling", found.coupling_energy},
-                    {"external_work", work}};
+                    {"external_work", results_.external_work()}};
   // of beams that act in the plane this would be a part only
   if (std::ranges::none_of(content().stiffeners, &plate::Stiffener::stretches))
     add_elastic_support_energy(plate_, found.bending, summary);
-  if (strain == 0)
+  const bool only_heat = only_stored(strain, results_.strain_energy() - strain);
+  if (strain == 0 && results_.strain_energy() == 0)
     post::require_motion(plate_, post::forces_of(plate_), found.bending, work, summary.warnings);
-  else
-    post::EnergyBalance(post::EnergyBalance::Plate::rests).check({strain, strain, work}, "in equilibrium");
+  else if (!only_heat)
+    post::EnergyBalance(post::EnergyBalance::Plate::rests)
+        .check({strain + post::energy_about(plate_), strain, work}, "in equilibrium");
 }
 
 std::vector<plate::BucklingMode> buckling_modes(const Case& c, const plate::Formulation& plate,
@@ -223,8 +231,9 @@ plate::PointMatrix BucklingRun::coupled_prestress() {
   auto [at_rest, geometric] = plate::coupled_prestress(plate_, membrane);
   outputs_.warn(warnings_about_pressed_faces(membrane, content().analysis, &at_rest.membrane));
   const plate::PlateLoads loads{plate::zero_forces(plate_.points()), membrane.total_load()};
-  summary().membrane =
-      membrane_results(plate_, membrane, at_rest, loads, {no_factors, ready_.membrane_methods}, "in the plane").summary;
+  summary().membrane = membrane_results(plate_, membrane, at_rest, loads, plate::heat_of(membrane, 1),
+                                        {no_factors, ready_.membrane_methods}, "in the plane")
+                           .summary;
   const double w = at_rest.bending.row(0).cwiseAbs().maxCoeff();
   if (w > flat * summary().membrane->largest_displacement)
     outputs_.warn(

@@ -102,6 +102,11 @@ Forces Inertia::operator()(const State& state) const {
 
 Forces Inertia::whole(const State& state) const {
   Forces result(unknowns_per_point, state.cols());
+  if (areas_.rows() == state.size()) {
+    Eigen::Map<Eigen::VectorXd>(result.data(), result.size()) =
+        areas_ * Eigen::Map<const Eigen::VectorXd>(state.data(), state.size());
+    return result;
+  }
   for (Eigen::Index i = 0; i < unknowns_per_point; ++i) {
     const auto& areas = i == 0 || rotary_areas_.size() == 0 ? areas_ : rotary_areas_;
     result.row(i) = (i == 0 ? translation_ : rotation_) * (areas * state.row(i).transpose()).transpose();

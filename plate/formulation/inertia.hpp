@@ -30,6 +30,10 @@ public:
   Inertia(const PointSections& sections, const geometry::Tessellation& cells, const Constraints& constraints,
           double rotary);
 
+  /// A matrix of all values of a state, as State::data(), symmetric. `constraints` must outlive this.
+  Inertia(Eigen::SparseMatrix<double> of_values, const Constraints& constraints)
+      : areas_(std::move(of_values)), constraints_(&constraints) {}
+
   /// P^T M u of u = P q [3 x points].
   Forces operator()(const State& state) const;
   /// M u, not carried over to the free degrees of freedom; only of cells.
@@ -38,7 +42,7 @@ public:
 private:
   Forces diagonal_;  // or, of cells:
   using Products = Eigen::SparseMatrix<double>;
-  Products areas_;         // integrals of products, where the section varies times rho h [length^2], symmetric
+  Products areas_;         // integrals of products, where the section varies times rho h [length^2]; or of all values
   Products rotary_areas_;  // where the section varies, times its rotary inertia
   double translation_ = 0, rotation_ = 0;
   const Constraints* constraints_ = nullptr;

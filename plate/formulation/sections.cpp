@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "geometry/cells/tessellation.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 
 namespace plate {
@@ -173,7 +174,7 @@ Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_ben
   return result;
 }
 
-void couple(Resultants& bending, Resultants& membrane, const Section& section) {
+void couple(Resultants& bending, Resultants& membrane, const Section& section, const Heat* heat) {
   const auto by = [&](PlateLaw law) {
     Section result = section;
     result.law = law;
@@ -184,9 +185,23 @@ void couple(Resultants& bending, Resultants& membrane, const Section& section) {
   const double half = section.thickness / 2;
   const Eigen::Matrix3Xd strains = A.ldlt().solve(membrane.moments), curvatures = D.ldlt().solve(bending.moments);
   bending.moments += B * strains, membrane.moments += B * curvatures;
+  Eigen::Matrix3Xd at_top = strains + half * curvatures, at_bottom = strains - half * curvatures;
+  if (heat && !heat->none()) {
+    const auto of = [&](PlateLaw law) {
+      Section result = section;
+      result.law = law;
+      return moments_held_flat(result);
+    };
+    const Eigen::RowVectorXd mean = heat->curvature.transpose(), across = heat->beside.transpose();
+    const Eigen::Vector3d with_other = of(PlateLaw::coupling);
+    membrane.moments -= of(PlateLaw::membrane) * mean + with_other * across;
+    bending.moments -= with_other * mean + of(PlateLaw::bending) * across;
+    at_top -= free_strains(section, section.plies.back()) * (mean + half * across);
+    at_bottom -= free_strains(section, section.plies.front()) * (mean - half * across);
+  }
   for (Eigen::Index k = 0; k < strains.cols(); ++k)
-    bending.von_mises[k] = std::max(von_mises(Eigen::Vector3d(top * (strains.col(k) + half * curvatures.col(k)))),
-                                    von_mises(Eigen::Vector3d(bottom * (strains.col(k) - half * curvatures.col(k)))));
+    bending.von_mises[k] = std::max(von_mises(Eigen::Vector3d(top * at_top.col(k))),
+                                    von_mises(Eigen::Vector3d(bottom * at_bottom.col(k))));
   membrane.von_mises = bending.von_mises;
 }
 

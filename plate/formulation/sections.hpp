@@ -10,6 +10,8 @@ struct Tessellation;
 
 namespace plate {
 
+struct Heat;
+
 /// The section about every point of a plate: one for all where it is the same everywhere.
 class PointSections {
 public:
@@ -53,8 +55,9 @@ Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_ben
                           const PointSections& of_membrane);
 
 /// Completes resultants of a section that couples, which are given as D kappa and A epsilon: M = D kappa + B epsilon,
-/// N = A epsilon + B kappa, and for both the von Mises stress at every point, the larger of both faces.
-void couple(Resultants& bending, Resultants& membrane, const Section& section);
+/// N = A epsilon + B kappa, less what the heat of the membrane has of these, and for both the von Mises stress at every
+/// point, the larger of both faces. `heat`: null without any.
+void couple(Resultants& bending, Resultants& membrane, const Section& section, const Heat* heat = nullptr);
 
 /// Resultants of these points, not yet set.
 Resultants resultants_of(Eigen::Index points);

@@ -19,7 +19,8 @@ std::optional<LinearStrain> linear_strain(const Problem& problem, const Load& lo
   constexpr double least = 9, most = 400;  // places along each side, about a spacing apart
   const auto* heat = load.as<Temperature>();
   const double alpha = problem.section.thermal_expansion;
-  if (!heat || problem.section.law != PlateLaw::membrane || !problem.stiffeners.empty()) return std::nullopt;
+  if (!heat || problem.section.law != PlateLaw::membrane || !problem.stiffeners.empty() || problem.section.couples())
+    return std::nullopt;
   if (!heat->formula.given()) return LinearStrain{alpha * heat->value};
   const auto [low, high] = geometry::bounding_box(problem.outline);
   const geometry::Point size = high - low;
@@ -58,6 +59,11 @@ Heat heat_of(const Formulation& plate, const std::vector<double>& shares) {
     else
       result.linear.reset();
     result.curvature += shares[i] * load.curvature, result.forces += shares[i] * load.forces;
+    const auto beside = free_curvature_beside(plate.problem().loads[i], plate.section(), plate.cloud().positions,
+                                              std::size_t(load.curvature.size()));
+    if (beside.size() == 0) continue;
+    if (result.beside.size() == 0) result.beside = Eigen::VectorXd::Zero(beside.size());
+    result.beside += shares[i] * beside;
   }
   return result;
 }
@@ -73,11 +79,20 @@ Heat heat_of(const Formulation& plate, double share) {
 }
 
 Eigen::Vector3d moments_held_flat(const Section& section) {
+  if (section.expands_by_plies()) return held_plies(section).resultants;
   if (section.isotropic()) {
     const double each = section.bending_stiffness() * (1 + section.poisson);
     return {each, each, 0};
   }
   return LocalSection(section).bending * Eigen::Vector3d(1, 1, 0);
+}
+
+Eigen::Matrix3Xd held_forces(const Section& section, const Heat& heat) {
+  Section coupling = section;
+  coupling.law = PlateLaw::coupling;
+  Eigen::Matrix3Xd result = moments_held_flat(section) * heat.curvature.transpose();
+  if (heat.beside.size() > 0) result += moments_held_flat(coupling) * heat.beside.transpose();
+  return result;
 }
 
 State free_field(const std::vector<geometry::Point>& positions, const geometry::Point& place,
@@ -110,18 +125,31 @@ double stored_by_linear(const Formulation& plate, const Heat& heat, const State&
   })[0];
 }
 
+namespace {
+
+/// Energy per area of a plate that is held flat, by the square of its free curvature.
+double energy_held_flat(const Section& section) {
+  if (section.expands_by_plies()) return held_plies(section).energy;
+  return moments_held_flat(section).head<2>().sum() / 2;
+}
+
+}  // namespace
+
 double stored(const Formulation& plate, const Heat& heat, const State& state) {
   if (!heated(plate.problem())) return 0;
   if (heat.linear && heat.linear->varies()) return stored_by_linear(plate, heat, state);
-  const double each = moments_held_flat(plate.section()).head<2>().sum() / 2;
+  const double each = energy_held_flat(plate.section());
+  Section coupling = plate.section();
+  coupling.law = PlateLaw::coupling;
+  const double with_other = heat.beside.size() > 0 ? energy_held_flat(coupling) : 0;  // of each of both the half
   const auto held_flat = [&](Eigen::Index k) {
-    return plate.cloud().areas[std::size_t(k)] * heat.curvature[k] * heat.curvature[k];
+    const double own = plate.cloud().areas[std::size_t(k)] * heat.curvature[k];
+    return each * (own * heat.curvature[k]) + (with_other != 0 ? with_other * own * heat.beside[k] : 0);
   };
   return ordered_sum<1>(plate, std::size_t(state.cols()), [&](std::size_t n) {
     const auto k = Eigen::Index(n);
     if (heat.none() || !plate.boundary().owns(n)) return std::array<double, 1>{0};
-    return std::array<double, 1>{(k < heat.curvature.size() ? each * held_flat(k) : 0) -
-                                 heat.forces.col(k).dot(state.col(k))};
+    return std::array<double, 1>{(k < heat.curvature.size() ? held_flat(k) : 0) - heat.forces.col(k).dot(state.col(k))};
   })[0];
 }
 

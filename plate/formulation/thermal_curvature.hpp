@@ -29,6 +29,7 @@ struct Heat {
   Eigen::VectorXd curvature = {};           // kappa_0 of the points of the plate [1 / length], of a membrane alpha T
   Forces forces = {};                       // what it loads the plate with [3 x points]
   std::optional<LinearStrain> linear = {};  // of a membrane, where all strains are the same everywhere or linear
+  Eigen::VectorXd beside = {};  // where the section couples: of a plate the free strain, of a membrane the curvature
 
   bool none() const { return curvature.size() == 0; }
 };
@@ -46,13 +47,18 @@ Heat heat_at(const Formulation& plate, double time);
 Heat heat_of(const Formulation& plate, double share);
 
 /// Moments Mxx, Myy, Mxy per free curvature kappa_0 of a plate that is held flat: D (1 + nu) (1, 1, 0), or with
-/// directions the bending stiffness times (1, 1, 0) [force length].
+/// directions the bending stiffness times (1, 1, 0), or by strains of the plies (held_plies()) [force length].
 Eigen::Vector3d moments_held_flat(const Section& section);
+
+/// Moments, or of a membrane forces, Mxx, Myy, Mxy of every point by the heat of a plate that may not strain [3 x
+/// points].
+Eigen::Matrix3Xd held_forces(const Section& section, const Heat& heat);
 
 /// Excess of the energy of a heated plate, that of kappa - kappa_0, over that of kappa [force length]. The work of the
 /// loads, heat input included, is greater by the same amount. The excess is the energy of the plate held flat, the sum
-/// of A (kappa_0, kappa_0) M / 2 (isotropic A D (1 + nu) kappa_0^2), less the work of the thermal forces. Collective:
-/// every rank that shares the plate must call it.
+/// of A (kappa_0, kappa_0) M / 2 (isotropic A D (1 + nu) kappa_0^2), less the work of the thermal forces. Where the
+/// section couples, that of a plate and that of its plane make the whole. Collective: every rank that shares the plate
+/// must call it.
 double stored(const Formulation& plate, const Heat& heat, const State& state);
 
 /// Takes the moments moments_held_flat() kappa_0 that free curvature would have away.

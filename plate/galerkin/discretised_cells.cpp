@@ -18,6 +18,7 @@
 #include "plate/galerkin/part_of_cells.hpp"
 #include "plate/galerkin/supports.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
@@ -274,6 +275,9 @@ private:
                      free_curvature(load, problem_.section, layout.boundary.cloud.positions, points)};
     if (result.curvature.size() > 0)
       result.forces = force_of_curvature(families, problem_.section, result.curvature, layout.boundary.map);
+    if (const auto beside = free_curvature_beside(load, problem_.section, layout.boundary.cloud.positions, points);
+        beside.size() > 0)
+      result.forces += force_of_curvature(families, coupling_of(problem_).section, beside, layout.boundary.map);
     if (const auto strain = linear_strain(problem_, load); strain && strain->varies())
       result.forces = forces_of_free_field(*strain, families);
     result.lift = layout.boundary.constraints.lift(layout.loads.size(), points);

@@ -26,6 +26,9 @@ public:
     return plane_->membrane_forces(bending, membrane);
   }
   PointMatrix stiffness_of_heat(const Eigen::VectorXd& free) const override { return plane_->stiffness_of_heat(free); }
+  PointMatrix stiffness_of_forces(const Eigen::Matrix3Xd& forces) const override {
+    return plane_->stiffness_of_forces(forces);
+  }
 
 private:
   std::unique_ptr<const Stretching> plane_;

@@ -38,9 +38,11 @@ Problem membrane_of(Problem problem) {
   problem.section.law = PlateLaw::membrane;
   for (auto& support : problem.supports) support.kind = kind_in_plane(support);
   for (auto& load : problem.loads)
-    if (!load.in_plane())
+    if (auto* heat = load.as<Temperature>(); heat && problem.section.couples())
+      std::swap(heat->value, heat->mean), std::swap(heat->formula, heat->mean_formula);
+    else if (!load.in_plane())
       load.action = BodyForce{};
-    else if (auto* heat = load.as<Temperature>())
+    else if (heat)
       heat->value = heat->mean, heat->formula = heat->mean_formula;
   problem.foundations.clear(), problem.springs.clear();
   std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.stretches(); });

@@ -14,8 +14,8 @@ bool has_plane(const Problem& problem);
 std::vector<std::string> warnings_about_axial_stiffness(const Problem& problem);
 
 /// The plate in its plane (PlateLaw::membrane): what its supports hold there stands in their kinds, and its loads give
-/// what they do there: temperatures have their mean in place of the difference between the faces. Of stiffeners their
-/// axial stiffness acts there; foundations and springs do not.
+/// what they do there: temperatures have their mean in place of the difference between the faces (of sections that
+/// couple each in place of the other). Of stiffeners their axial stiffness acts there; foundations and springs do not.
 Problem membrane_of(Problem problem);
 
 /// The coupling of the plate to its plane (PlateLaw::coupling): a section of stiffness B, and eccentric stiffeners.

@@ -275,9 +275,9 @@ std::vector<SupportMotion> support_motions(const Problem& problem) {
 Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
                                std::size_t count) {
   const auto* heat = load.as<Temperature>();
-  if (!heat || (heat->value == 0 && !heat->formula.given() && load.in_plane())) return {};
-  const double each =
-      section.law == PlateLaw::membrane ? section.thermal_expansion : section.thermal_expansion / section.thickness;
+  if (!heat || (heat->value == 0 && !heat->formula.given() && load.in_plane() && !section.couples())) return {};
+  const double alpha = section.expands_by_plies() ? 1 : section.thermal_expansion,
+               each = section.law == PlateLaw::membrane ? alpha : alpha / section.thickness;
   if (!heat->formula.given()) return Eigen::VectorXd::Constant(Eigen::Index(count), each * heat->value);
   Eigen::VectorXd result(static_cast<Eigen::Index>(count));
   for (std::size_t k = 0; k < count; ++k) {
@@ -286,6 +286,15 @@ Eigen::VectorXd free_curvature(const Load& load, const Section& section, const s
     result[Eigen::Index(k)] = each * difference;
   }
   return result;
+}
+
+Eigen::VectorXd free_curvature_beside(Load load, Section section, const std::vector<geometry::Point>& positions,
+                                      std::size_t count) {
+  auto* heat = load.as<Temperature>();
+  if (!heat || !section.couples()) return {};
+  std::swap(heat->value, heat->mean), std::swap(heat->formula, heat->mean_formula);
+  section.law = section.law == PlateLaw::membrane ? PlateLaw::bending : PlateLaw::membrane;
+  return free_curvature(load, section, positions, count);
 }
 
 bool heated(const Problem& problem) {

@@ -98,10 +98,15 @@ std::vector<SupportMotion> support_motions(const Problem& problem);
 
 /// kappa_0 = alpha (temperature at z = h/2 less that at z = -h/2) / h: the curvature in all directions that the plate
 /// would take if nothing hindered it, psi = -kappa_0 (x, y), theory (78) [1 / length], at the first `count` positions;
-/// of a membrane the strain alpha times the mean temperature, (u, v) = alpha T (x, y). Empty of other loads. Throws
-/// FormulaError.
+/// of a membrane the strain alpha times the mean temperature, (u, v) = alpha T (x, y). Of plies with strains of their
+/// own alpha is 1. Empty of other loads. Throws FormulaError.
 Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
                                std::size_t count);
+
+/// Of a section that couples, the free strain beside the free curvature of a plate, or the curvature beside the strain
+/// of its plane; else empty.
+Eigen::VectorXd free_curvature_beside(Load load, Section section, const std::vector<geometry::Point>& positions,
+                                      std::size_t count);
 
 /// True where a temperature loads the plate.
 bool heated(const Problem& problem);

@@ -398,7 +398,9 @@ std::vector<Refusal> errors_in_heat(const Problem& problem) {
   const auto refuse = [&](Subject subject, const std::string& what, std::size_t number = 0) {
     found.push_back({subject, number, what});
   };
-  if (problem.section.thermal_expansion == 0)
+  const auto& plies = problem.section.plies;
+  const auto expands = [](const Ply& ply) { return ply.alpha1 && ply.alpha2; };
+  if (problem.section.thermal_expansion == 0 && (plies.empty() || !std::ranges::all_of(plies, expands)))
     refuse(Subject::thermal_expansion, "is missing, must be a number > 0: temperatures strain the plate by it");
   if (!problem.section.uniform())
     refuse(Subject::section, "temperatures are of plates of one material and one thickness all over");

@@ -124,6 +124,10 @@ double Section::uniform_within(const Point& x) const {
   return result;
 }
 
+bool Section::expands_by_plies() const {
+  return std::ranges::any_of(plies, [](const Ply& ply) { return ply.alpha1 || ply.alpha2; });
+}
+
 bool Section::couples() const {
   constexpr double rounding = 1e-9;
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero(), B = A;
@@ -132,7 +136,8 @@ bool Section::couples() const {
     A += ply.thickness * plane_stress(ply), B += integral(PlateLaw::coupling, z, ply.thickness) * plane_stress(ply);
     z += ply.thickness;
   }
-  return B.cwiseAbs().maxCoeff() > rounding * thickness * A.cwiseAbs().maxCoeff() || heavier_on_one_side();
+  return B.cwiseAbs().maxCoeff() > rounding * thickness * A.cwiseAbs().maxCoeff() || heavier_on_one_side() ||
+         expands_by_plies();
 }
 
 bool Section::heavier_on_one_side() const {
@@ -222,6 +227,27 @@ Eigen::Matrix3d plane_stress(const Orthotropy& m) {
   Eigen::Matrix3d turn;  // strains along the axes by those along x and y
   turn << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
   return turn.transpose() * own * turn;
+}
+
+Eigen::Vector3d free_strains(const Section& section, const Ply& ply) {
+  if (!section.expands_by_plies()) return {1, 1, 0};
+  const double along = ply.alpha1.value_or(section.thermal_expansion),
+               across = ply.alpha2.value_or(section.thermal_expansion);
+  const auto n = direction(ply.angle);
+  const double c = n.x(), s = n.y();
+  return {c * c * along + s * s * across, s * s * along + c * c * across, 2 * c * s * (along - across)};
+}
+
+HeldPlies held_plies(const Section& section) {
+  HeldPlies result;
+  double z = -section.thickness / 2;
+  for (const auto& ply : section.plies) {
+    const Eigen::Vector3d strains = free_strains(section, ply), stresses = plane_stress(ply) * strains;
+    const double share = integral(section.law, z, ply.thickness);
+    result.resultants += share * stresses, result.energy += share * strains.dot(stresses) / 2;
+    z += ply.thickness;
+  }
+  return result;
 }
 
 Eigen::Matrix2d transverse_shear(const Orthotropy& m) {

@@ -24,6 +24,8 @@ struct Orthotropy {
 struct Ply : Orthotropy {
   double thickness = 0;           // [length]
   std::optional<double> density;  // without it that of the section [mass/length^3]
+  std::optional<double> alpha1,   // strains per temperature along the axes; without them that of the section
+      alpha2;
 };
 
 /// A part of a plate with numbers of its own; what it does not give is that of the section.
@@ -57,8 +59,11 @@ struct Section {
   /// True for a material without directions.
   bool isotropic() const { return !orthotropic && plies.empty(); }
   bool simple() const { return uniform() && isotropic(); }
-  /// True where bending and stretching act on each other: plies whose stiffness or mass is not symmetric about z = 0.
+  /// True where bending and stretching act on each other: plies whose stiffness or mass is not symmetric about z = 0,
+  /// or that expand by strains of their own.
   bool couples() const;
+  /// True where plies have strains per temperature of their own. Free strains then count in temperatures.
+  bool expands_by_plies() const;
   /// True where the mass of plies is not symmetric about z = 0.
   bool heavier_on_one_side() const;
 
@@ -99,6 +104,17 @@ struct LocalSection {
 
   void add(const LocalSection& other, double weight);
 };
+
+/// What holds plies that may not expand by a unit of free strain (PlateLaw::membrane), of free curvature (bending), or
+/// of one against the other (coupling).
+struct HeldPlies {
+  Eigen::Vector3d resultants = Eigen::Vector3d::Zero();  // xx, yy, xy: integrals of Q e, Q e z^2, Q e z
+  double energy = 0;                                     // likewise of e . Q e / 2
+};
+HeldPlies held_plies(const Section& section);
+
+/// Strains e (xx, yy, 2 xy) of a ply by a unit of free strain: (1, 1, 0), or those per temperature of its own.
+Eigen::Vector3d free_strains(const Section& section, const Ply& ply);
 
 /// Stresses xx, yy, xy by the strains xx, yy, 2 xy in the plane, without stress across it [force/length^2].
 Eigen::Matrix3d plane_stress(const Orthotropy& material);

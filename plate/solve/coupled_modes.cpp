@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/space.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
@@ -147,13 +148,15 @@ MatrixXd lowest(const Matrix& K, const Matrix& M, Index rigid, const CoupledUnkn
 
 CoupledPrestress coupled_prestress(const Formulation& plate, const Formulation& membrane) {
   const StaticOptions options{1e-8, 100, {}};
-  CoupledPrestress result{
-      CoupledPlate(plate, membrane).equilibrium({zero_forces(plate.points()), membrane.total_load()}, options), {}};
+  const Heat across = heat_of(plate, 1), in_plane_heat = heat_of(membrane, 1);
+  const Forces bends = across.none() ? zero_forces(plate.points()) : across.forces;
+  CoupledPrestress result{CoupledPlate(plate, membrane).equilibrium({bends, membrane.total_load()}, options), {}};
   const auto& [of_both, bending, in_plane] =
       std::tie(result.at_rest.of_both, result.at_rest.bending, result.at_rest.membrane);
   if (!of_both.converged) throw NumericalError("under the loads in the plane: " + of_both.stop_reason);
   result.geometric =
       plate.with_coupling_forces(membrane.stretching()->geometric_stiffness(in_plane), bending, in_plane);
+  if (!in_plane_heat.none()) add(stiffness_of_heat(membrane, in_plane_heat), 1, result.geometric);
   return result;
 }
 
@@ -179,6 +182,26 @@ FrequencySolution coupled_frequencies(const Formulation& plate, const Formulatio
   }
   result.iterations = result.solutions;
   return result;
+}
+
+Inertia coupled_inertia(const Formulation& plate, double rotary, const Constraints& constraints) {
+  const PointMatrix mass = stacked_mass(plate, rotary);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](std::uint32_t row, std::uint32_t column, const Eigen::Matrix3d& block) {
+    for (std::uint32_t c = 0; c < unknowns_per_point; ++c)  // of one component each
+      if (const double m = block(c, c); m != 0)
+        entries.emplace_back(int(index_in_state({row, c}, mass.points())),
+                             int(index_in_state({column, c}, mass.points())), m);
+  };
+  for (std::uint32_t k = 0; k < mass.points(); ++k)
+    for (auto b = mass.first[k]; b < mass.first[k + 1]; ++b) {
+      add(mass.row[b], k, mass.block[b]);
+      if (mass.row[b] != k) add(k, mass.row[b], mass.block[b]);
+    }
+  const auto values = Index(unknowns_per_point * mass.points());
+  Matrix result(values, values);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return {std::move(result), constraints};
 }
 
 std::vector<BucklingMode> coupled_buckling(const Formulation& plate, const Formulation& membrane,

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "plate/formulation/formulation.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/stretching.hpp"
 
 namespace plate {
@@ -95,18 +96,47 @@ CoupledPlate::CoupledPlate(const Formulation& plate, const Formulation& membrane
 
 CoupledPlate::~CoupledPlate() = default;
 
+const Operator& CoupledPlate::of_both() const {
+  return *both_;
+}
+
+const Preconditioner& CoupledPlate::inverse() const {
+  return *factor_;
+}
+
 std::size_t CoupledPlate::factor_bytes() const {
   return factor_->bytes();
 }
 
-CoupledEquilibrium CoupledPlate::equilibrium(const PlateLoads& loads, const StaticOptions& options) const {
+/// The second solution takes out what rounding beside the forces of the lift has left.
+StaticSolution CoupledPlate::lifted(const PlateLoads& loads, const StaticOptions& options, const State& lift) const {
+  const Forces load = stacked(loads.across, loads.in_plane);
+  if (lift.cols() == 0) return refined(*both_, constraints_, load, options, *factor_);
+  StaticSolution result;
+  result.state = stacked(lift, zero_like(lift)), result.converged = true;
+  for (int twice = 0; twice < 2 && result.converged; ++twice) {
+    Forces left;
+    both_->internal_force(result.state, left);
+    const auto more = refined(*both_, constraints_, left + load, options, *factor_);
+    result.state += more.state, result.iterations += more.iterations;
+    result.converged = more.converged, result.stop_reason = more.stop_reason;
+  }
+  const Forces across = loads.across - product(coupling_, of_plane(result.state));
+  result.residual = PrescribedDisplacements(plate_, across, lift).residual(of_plate(result.state)).share;
+  return result;
+}
+
+CoupledEquilibrium CoupledPlate::equilibrium(const PlateLoads& loads, const StaticOptions& options,
+                                             const State& lift) const {
+  const auto [rigid, rest] = split_lift(plate_, lift);
   CoupledEquilibrium result;
-  result.of_both = refined(*both_, constraints_, stacked(loads.across, loads.in_plane), options, *factor_);
+  result.of_both = lifted(loads, options, rest);
   result.bending = of_plate(result.of_both.state), result.membrane = of_plane(result.of_both.state);
   result.on_bending = -product(coupling_, result.membrane), result.on_membrane = -product(coupling_, result.bending);
   result.bending_energy = plate_.strain_energy(result.bending);
   result.stretching_energy = membrane_.strain_energy(result.membrane);
   result.coupling_energy = -result.on_bending.cwiseProduct(result.bending).sum();
+  if (rigid.cols() > 0) result.strained = result.bending, result.bending += rigid;
   return result;
 }
 

@@ -17,10 +17,12 @@ PointMatrix stacked_matrix(const PointMatrix& plate, const PointMatrix& plane, c
 struct CoupledEquilibrium {
   StaticSolution of_both;          // stacked states
   State bending, membrane;         // the same, one by one
+  State strained = no_state();     // where supports have moved: of the bending what is no motion as one rigid body
   Forces on_bending, on_membrane;  // of the plane on the plate, and of the plate on its plane
   double bending_energy = 0, stretching_energy = 0;
   double coupling_energy = 0;  // of kappa . B epsilon, of either sign
 
+  const State& what_strains() const { return strained.cols() > 0 ? strained : bending; }
   double strain_energy() const { return bending_energy + stretching_energy + coupling_energy; }
 };
 
@@ -33,15 +35,25 @@ public:
   CoupledPlate(const Formulation& plate, const Formulation& membrane);
   ~CoupledPlate();
 
+  /// `lift`: of supports that have moved, as total_lift().
   /// @throws NumericalError  where a number is not finite
-  CoupledEquilibrium equilibrium(const PlateLoads& loads, const StaticOptions& options) const;
+  CoupledEquilibrium equilibrium(const PlateLoads& loads, const StaticOptions& options,
+                                 const State& lift = no_state()) const;
   std::size_t factor_bytes() const;
+
+  /// Stiffness of stacked states, what holds these, and the inverse of the stiffness.
+  const Operator& of_both() const;
+  const Constraints& constraints() const { return constraints_; }
+  const Preconditioner& inverse() const;
   /// The linear stiffness of stacked states, with its coupling(); all three must outlive it.
   static std::unique_ptr<const Operator> stiffness(const Formulation& plate, const Formulation& membrane,
                                                    const PointMatrix& coupling);
 
 private:
   class Both;
+
+  StaticSolution lifted(const PlateLoads& loads, const StaticOptions& options, const State& lift) const;
+
   const Formulation &plate_, &membrane_;
   PointMatrix coupling_;
   Constraints constraints_;

@@ -263,7 +263,10 @@ double scale_of_least_energy(double a, double b) {
 }  // namespace
 
 PointMatrix stiffness_of_heat(const Formulation& membrane, const Heat& heat) {
-  return heat.none() ? PointMatrix() : membrane.stretching()->stiffness_of_heat(heat.curvature);
+  if (heat.none()) return {};
+  const auto stretching = membrane.stretching();
+  return heat.beside.size() > 0 ? stretching->stiffness_of_forces(-held_forces(membrane.section(), heat))
+                                : stretching->stiffness_of_heat(heat.curvature);
 }
 
 double linear_theory_off(const Formulation& plate, const Formulation& membrane, const State& bending,

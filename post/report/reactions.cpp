@@ -322,13 +322,17 @@ struct HarmonicReactions::Moving {
 };
 
 HarmonicReactions::HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping)
-    : plate_(plate), damping_(damping), supports_(supports_of(plate)) {
+    : HarmonicReactions(plate, damping, plate, plate.inertia(1)) {}
+
+HarmonicReactions::HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping,
+                                     const plate::Operator& stiffness, plate::Inertia inertia)
+    : plate_(plate), stiffness_(stiffness), damping_(damping), supports_(supports_of(plate)) {
   if (supports_.empty()) return;
   const Supports supports(plate.boundary());
   auto loads = supports.nothing();
   for (const auto& load : plate.loads()) loads.add(1, supports.applied(load.forces));
-  functionals_ = supports.elastic_forces(plate);
-  moving_ = std::make_unique<const Moving>(Moving{supports, std::move(loads), plate.inertia(1)});
+  functionals_ = supports.elastic_forces(stiffness);
+  moving_ = std::make_unique<const Moving>(Moving{supports, std::move(loads), std::move(inertia)});
 }
 
 HarmonicReactions::~HarmonicReactions() = default;
@@ -342,7 +346,7 @@ std::vector<Response> HarmonicReactions::at(double frequency, const plate::State
   const auto balance = [&](const plate::State& state, const plate::State& velocity, const Applied& load) {
     const plate::State strained = state + damping_.stiffness * velocity;
     const auto inertial = supports.applied(inertia.whole(damping_.mass * velocity - omega * omega * state));
-    return supports.balance(on_held(plate_, plate_, strained), load, &inertial, strained);
+    return supports.balance(on_held(plate_, stiffness_, strained), load, &inertial, strained);
   };
   const auto real = balance(in_phase, -omega * quadrature, loads);
   const auto imaginary = balance(quadrature, omega * in_phase, supports.nothing());

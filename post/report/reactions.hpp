@@ -9,6 +9,7 @@
 
 namespace plate {
 class Formulation;
+class Inertia;
 class Operator;
 struct Boundary;
 struct Instant;
@@ -68,6 +69,10 @@ class HarmonicReactions {
 public:
   /// `plate` must outlive this.
   HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping);
+  /// Those of a plate with its plane: `stiffness`, which must outlive this, and mass are of stacked states, as those of
+  /// at() and functionals() then are.
+  HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping, const plate::Operator& stiffness,
+                    plate::Inertia inertia);
   ~HarmonicReactions();
 
   /// Force and moments of every support, (A + i B) with the load as its real part, for the state (A + i B).
@@ -81,6 +86,7 @@ private:
   struct Moving;
 
   const plate::Formulation& plate_;
+  const plate::Operator& stiffness_;
   plate::Damping damping_;
   std::vector<ReactionSummary::Support> supports_;
   std::unique_ptr<const Moving> moving_;
