@@ -1,6 +1,7 @@
 """A page as a browser shows it: Debian's chromium without a window."""
 import html.parser
 import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -59,6 +60,7 @@ class Page:
     """What is left of a page once its scripts have run. `#check` has it count the colours on each canvas. What the page unpacks takes
     real time, which the browser's own does not wait for on a busy machine: a page that still loads gets more of it."""
     def __init__(self, path, budgets=(4000, 16000, 64000)):
+        self.path = path
         for budget in budgets:
             ran = run(f"file://{path}#check", "--dump-dom", budget=budget)
             self.elements = Reader(ran.stdout).elements
@@ -70,8 +72,24 @@ class Page:
     def root(self):
         return next(one for one in self.elements if one.name == "html")
 
+    def lone_headings(self):
+        """Headings that end a sheet of A4 or letter paper, while what they head is on the next one."""
+        headings = {"".join(one.text.split()) for one in self.elements if one.name in ("h2", "h3", "figcaption", "summary")}
+        printed = [sheet.strip() for size in ("A4", "letter") for sheet in sheets(self.path, size)]
+        ends = ["".join(sheet.splitlines()[-1].split()) for sheet in printed if sheet]
+        return [end for end in ends if end in headings]
+
     def having(self, attribute):
         return [one for one in self.elements if one[attribute] is not None]
+
+
+def sheets(path, size):
+    """The text on each sheet of paper of the page: A4 or letter."""
+    with tempfile.TemporaryDirectory(prefix="pdplate_paper_") as folder:
+        page, pdf = pathlib.Path(folder, "page.html"), pathlib.Path(folder, "page.pdf")
+        page.write_text(f"{pathlib.Path(path).read_text()}<style>@page {{ size: {size}; }}</style>")
+        run(f"file://{page}", "--no-pdf-header-footer", f"--print-to-pdf={pdf}", budget=16000)
+        return subprocess.run(["pdftotext", "-layout", pdf, "-"], capture_output=True, text=True, check=True).stdout.split("\f")
 
 
 def screenshot(path, picture, width, height, scheme="light"):

@@ -25,6 +25,9 @@ CASES = {  # name: case, settings, what its page must have
     "growth": ("growth/double_torsion.toml", ["--set", "discretization.spacing=0.05", "--set", "growth.max_advances=4"], ["plot:Load against length", "picture:w"]),
     "breaking": ("growth/pressure_pulse.toml", [*COARSE, "--set", "load[0].value=2.7", "--set", "output.every=0.1"], ["plot:Length of the cracks", "picture:damage"]),
     "cases": ("static/slab_on_soil.toml", ["--set", "discretization.spacing=0.25"], ["table:envelope", "table:load_cases", "table:reactions_of_cases", "table:extremes_of_cases"]),
+    "canopy": ("static/glass_canopy.toml", [], ["table:load_cases", "table:reactions_of_cases"]),
+    "path": ("static/strip_snaps_through.toml", [], ["picture:w"]),
+    "rib": ("static/ribbed_panel.toml", [], ["table:recommended", "picture:w"]),
     "contact": ("static/crack_faces_touch.toml", [*COARSE], ["plot:Opening of crack 0", "plot:Contact pressure of crack 0"]),
     "modes": ("dynamic/frequencies_hole_one_crack.toml", ["--set", "discretization.spacing=0.1"], ["table:frequencies", "picture:w"]),
 }
@@ -90,6 +93,7 @@ def of_page(page, wanted):
         wrong += [f"the {kind} {one[f'data-{kind}']} is {one['data-drawn']}" for one in page.having(f"data-{kind}") if one["data-drawn"] != "yes"]
     if page.root()["data-clipped"] != "0":
         wrong.append(f"{page.root()['data-clipped']} cells of tables reach beyond the paper")
+    wrong += [f"a heading ends a sheet of paper: {heading}" for heading in page.lone_headings()]
     canvases = [one for one in page.elements if one.name == "canvas"]
     wrong += [f"a canvas is blank: {one['data-field'] or one['class'] or 'a plot'}" for one in canvases if int(one["data-colours"] or 0) < 3]
     figures = len(page.having("data-plot")) + 2 * len(page.having("data-picture"))  # a picture has a colour bar

@@ -40,11 +40,13 @@ function start() {
   });
   addEventListener("beforeprint", () => {
     document.documentElement.classList.add("paper");
+    document.querySelectorAll("details:not([open])").forEach(one => (one.open = one.dataset.shut = true));
     again();
     fit_tables();
   });
   addEventListener("afterprint", () => {
     document.documentElement.classList.remove("paper");
+    document.querySelectorAll("details[data-shut]").forEach(one => (one.open = false));
     again();
     fit_tables();
   });

@@ -125,8 +125,8 @@ function cost_section() {
   const s = data.summary, stages = Object.entries(s.seconds).filter(([name]) => name !== "total");
   return section("Time and memory", element("p", {}, "In total ", value("seconds.total", 4, seconds(s.seconds.total)), "; ", value("peak_memory_bytes", 4, bytes(s.peak_memory_bytes)), " of memory at most."),
     bars(stages.map(([name, x]) => [name, x, value(`seconds.${name}`, 3, seconds(x))]), seconds),
-    s.scene?.length ? folded("Parts of the program that this case uses", table([{ title: "part", left: true }, { title: "bytes per point" }, { title: "share of the time" }],
-      s.scene.map((part, i) => [spaced(part.name), value(`scene[${i}].bytes_per_point`, 4), `${shown(100 * part.time_share, 2)} %`]))) : null);
+    s.scene?.length ? element("div", { class: "screen" }, folded("Parts of the program that this case uses", table([{ title: "part", left: true }, { title: "bytes per point" }, { title: "share of the time" }],
+      s.scene.map((part, i) => [spaced(part.name), value(`scene[${i}].bytes_per_point`, 4), `${shown(100 * part.time_share, 2)} %`])))) : null);
 }
 
 const case_section = () => (data.case ? section("The case", note("As it was run, with all defaults: running it gives the same result."), folded("case.resolved.toml", element("pre", {}, data.case))) : null);
