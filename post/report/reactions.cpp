@@ -247,9 +247,12 @@ ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool 
 void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces) {
   if (supports_.empty()) return;
   if (!now.acceleration) {
-    plate::Forces load = plate::acting_load(*plate_);
-    if (now.stretched) load += *now.stretched;
-    return add(now.time, *plate_, forces, now.what_strains(), load);
+    const Supports supports(plate_->boundary());
+    auto loads = supports.applied(plate::acting_load(*plate_));
+    if (now.stretched) loads.add(1, supports.applied(*now.stretched));  // apart: they may cancel
+    const plate::State& state = now.what_strains();
+    balances_.emplace_back(now.time, supports.balance(on_held(*plate_, forces, state), loads, nullptr, state));
+    return;
   }
   if (!moving_) moving_ = std::make_shared<const Moving>(*plate_, rotary_, mass_of_cells_);
   const auto& [supports, each, inertial_force] = *moving_;
