@@ -6,7 +6,7 @@ namespace {
 
 const std::vector<std::string> moving{"analysis.kind=dynamic", "analysis.duration=1", "section.density=2"};
 
-std::vector<std::string> with(std::vector<std::string> more) {
+std::vector<std::string> with_motion(std::vector<std::string> more) {
   more.insert(more.begin(), moving.begin(), moving.end());
   return more;
 }
@@ -17,19 +17,19 @@ const std::string hit = "[impact]\nposition = [0.3, 0.2]\nmass = 2\nvelocity = -
 
 TEST_CASE("damping is given by mass and stiffness, or by ratios at two frequencies") {
   const auto read_damping = [](const std::string& text) {
-    return *read(plain, with({"analysis.damping=" + text})).content.analysis.damping;
+    return *read(plain, with_motion({"analysis.damping=" + text})).content.analysis.damping;
   };
   CHECK(read_damping("{ mass = 2, stiffness = 0.5 }").stiffness == 0.5);
   const auto d = read_damping("{ ratio = [0.01, 0.01], frequencies = [1, 3] }");
   CHECK(d.mass > 0);
   CHECK(d.stiffness > 0);
-  const auto file = read(plain, with({"analysis.damping={ ratio = [0.01, 0.02], frequencies = [1, 3] }"}));
+  const auto file = read(plain, with_motion({"analysis.damping={ ratio = [0.01, 0.02], frequencies = [1, 3] }"}));
   const auto again = read(cases::resolved_toml(file.content)).content;
   CHECK(again.analysis.damping->mass == file.content.analysis.damping->mass);
   CHECK(read(plain, moving).content.analysis.damping == std::nullopt);
   const auto refused = [](const std::string& text, const std::string& what, std::vector<std::string> more = {}) {
     more.insert(more.begin(), "analysis.damping=" + text);
-    const auto found = problems(plain, with(more));
+    const auto found = problems(plain, with_motion(more));
     INFO(text);
     REQUIRE(found.size() == 1);
     CHECK_THAT(found[0].what, Catch::Contains(what));
@@ -57,7 +57,7 @@ TEST_CASE("a motion may begin by itself or by an impact, without loads") {
   CHECK(again.impact->stiffness == 50);
   CHECK(again.impact->velocity == -3);
   const auto refused = [&](const std::string& text, const std::string& what, std::vector<std::string> more = {}) {
-    const auto found = problems(text, with(more));
+    const auto found = problems(text, with_motion(more));
     INFO(text);
     REQUIRE(found.size() == 1);
     CHECK_THAT(found[0].what, Catch::Contains(what));

@@ -31,7 +31,7 @@ plate::Problem problem_of(geometry::Outline outline) {
 }
 
 /// The most of any process.
-ProcessesEstimate found(const plate::Problem& problem, int count) {
+ProcessesEstimate found_by_estimate(const plate::Problem& problem, int count) {
   ProcessesEstimate result{count, 0, INFINITY, 0, 0, 0, false};
   std::mutex one_by_one;
   thread_ranks::run(count, [&](const plate::Communicator& all) {
@@ -62,7 +62,7 @@ TEST_CASE("processes foretold: points, what they see, copies and neighbours are 
     for (const int count : {1, 2, 5, 7}) {
       INFO(count << " processes");
       const auto problem = problem_of(outline);
-      const auto told = estimated_processes(problem, count), is = found(problem, count);
+      const auto told = estimated_processes(problem, count), is = found_by_estimate(problem, count);
       CHECK(told.points == Approx(is.points).epsilon(off));
       CHECK(told.least_points == Approx(is.least_points).epsilon(off));
       CHECK(told.seen == Approx(is.seen).epsilon(off));
@@ -83,7 +83,7 @@ TEST_CASE(
   if (graded) problem.discretization.tip_spacing = 0.004;
   for (const int count : {1, 2, 5, 7}) {
     INFO(count << " processes, " << (graded ? "graded" : "a lattice"));
-    const auto told = estimated_processes(problem, count), is = found(problem, count);
+    const auto told = estimated_processes(problem, count), is = found_by_estimate(problem, count);
     CHECK(told.points == is.points);
     CHECK(told.least_points == is.least_points);
     // measured: up to 10 and 18 % more where points are graded, whose boxes are counted by cells of the far spacing

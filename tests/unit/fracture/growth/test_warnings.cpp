@@ -8,7 +8,7 @@ namespace vp = verified_plate;
 
 namespace {
 
-Growth growth(Growth::Criterion criterion) {
+Growth warned_growth(Growth::Criterion criterion) {
   Growth result;
   result.criterion = criterion;
   result.fracture_energy = 2;
@@ -28,17 +28,17 @@ std::vector<std::string> said(Growth by, double thickness, double poisson = 0.3,
 
 TEST_CASE("distrust of bonds: where the apparent toughness was not measured, and not where it is given") {
   using enum Growth::Criterion;
-  CHECK(said(growth(bond_energy), 1).empty());
-  CHECK(said(growth(curvature_shear), 2).empty());
-  for (const auto& warnings : {said(growth(bond_energy), 0.3), said(growth(bond_energy), 60),
-                               said(growth(curvature_shear), 1), said(growth(bond_energy), 1, -0.1)}) {
+  CHECK(said(warned_growth(bond_energy), 1).empty());
+  CHECK(said(warned_growth(curvature_shear), 2).empty());
+  for (const auto& warnings : {said(warned_growth(bond_energy), 0.3), said(warned_growth(bond_energy), 60),
+                               said(warned_growth(curvature_shear), 1), said(warned_growth(bond_energy), 1, -0.1)}) {
     REQUIRE(warnings.size() == 1);
     CHECK_THAT(warnings[0], Catch::Contains("apparent toughness"));
   }
-  auto given = growth(bond_energy);
+  auto given = warned_growth(bond_energy);
   given.apparent_toughness = 1.1;
   CHECK(said(given, 0.3).empty());
-  CHECK(said(growth(energy_release), 0.3).empty());  // tips, not bonds
+  CHECK(said(warned_growth(energy_release), 0.3).empty());  // tips, not bonds
 }
 
 TEST_CASE("distrust of bonds: a crack through points is on one side of them") {
@@ -50,14 +50,14 @@ TEST_CASE("distrust of bonds: a crack through points is on one side of them") {
       c.section.thickness = 0.2;
       c.supports = {vp::held(plate::SupportKind::clamped, {"left"})};
       c.cracks = {{{-0.45, y}, {0.45, y}}};
-      const auto warnings = warnings_about_bonds(growth(criterion), *vp::assembled(c));
+      const auto warnings = warnings_about_bonds(warned_growth(criterion), *vp::assembled(c));
       REQUIRE(warnings.size() == (y == 0.1 ? 1 : 0));
       if (y == 0.1) CHECK_THAT(warnings[0], Catch::Contains("through points") && Catch::EndsWith("= 0.1818"));
     }
 }
 
 TEST_CASE("distrust of bonds: no crack crosses a line of symmetry") {
-  const auto warnings = said(growth(Growth::Criterion::bond_energy), 1, 0.3, plate::SupportKind::symmetry);
+  const auto warnings = said(warned_growth(Growth::Criterion::bond_energy), 1, 0.3, plate::SupportKind::symmetry);
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0], Catch::Contains("line of symmetry"));
 }
@@ -77,14 +77,14 @@ TEST_CASE("distrust of what tips took: a twentieth from the fracture energy, and
   const auto said = [&](double spent, Growth::Criterion by = Growth::Criterion::energy_release) {
     MovingGrowthOutcome outcome;
     outcome.spent = spent, outcome.largest_speed = 0.93 * section.shear_wave_speed();
-    return warnings_about_spent_energy(growth(by), outcome, section, "refine");
+    return warnings_about_spent_energy(warned_growth(by), outcome, section, "refine");
   };
   CHECK(said(0.96).empty());
   CHECK(said(1.04).empty());
   CHECK(said(0.94).size() == 1);
   CHECK(said(1.06).size() == 1);
   CHECK(said(16, Growth::Criterion::bond_energy).empty());
-  CHECK(warnings_about_spent_energy(growth(Growth::Criterion::energy_release), {}, section, "refine").empty());
+  CHECK(warnings_about_spent_energy(warned_growth(Growth::Criterion::energy_release), {}, section, "refine").empty());
   REQUIRE(said(16.6).size() == 1);
   CHECK_THAT(said(16.6)[0], Catch::Contains("16.60 times") && Catch::Contains("0.93 of the speed of shear waves"));
   REQUIRE(said(0.5).size() == 1);

@@ -14,8 +14,8 @@ using geometry::Point;
 namespace {
 
 /// Energy per area of a family in constant curvature (kappa xx, yy, xy of psi) and constant shear.
-double energy(const FamilyWeights& weights, const std::vector<FamilyBond>& bonds, const Eigen::Matrix2d& kappa,
-              const Point& gamma) {
+double aware_energy(const FamilyWeights& weights, const std::vector<FamilyBond>& bonds, const Eigen::Matrix2d& kappa,
+                    const Point& gamma) {
   double theta = 0, sum = 0;
   for (std::size_t i = 0; i < bonds.size(); ++i) {
     const Point& xi = bonds[i].vector;
@@ -68,7 +68,8 @@ TEST_CASE("position-aware weights: every constant state has the plate's energy, 
           double worst = 0;
           for (const auto& kappa : states)
             for (const auto& gamma : shears)
-              worst = std::max(worst, std::abs(energy(weights, bonds, kappa, gamma) / exact(s, kappa, gamma) - 1));
+              worst =
+                  std::max(worst, std::abs(aware_energy(weights, bonds, kappa, gamma) / exact(s, kappa, gamma) - 1));
           if (weights.match == Match::exact)
             CHECK(worst < 1e-11);  // measured: below 1e-12
           else
@@ -105,7 +106,7 @@ TEST_CASE("position-aware weights: no bond curvatures have negative energy, nor 
       CHECK(weights.a * theta * theta + sum >= -1e-12 * sum);
       if (!bonds.empty()) {  // isotropic bending is exact for all
         const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
-        CHECK(energy(weights, bonds, one, {0, 0}) == Approx(exact(s, one, {0, 0})).epsilon(1e-10));
+        CHECK(aware_energy(weights, bonds, one, {0, 0}) == Approx(exact(s, one, {0, 0})).epsilon(1e-10));
       }
     }
   }
@@ -154,7 +155,7 @@ TEST_CASE("position-aware weights in the plane: every constant strain has its en
         for (const auto& bond : weights.bonds) CHECK(bond.S == 0);
         if (weights.match != Match::exact) continue;
         for (const auto& kappa : states)
-          CHECK(energy(weights, bonds, kappa, {1, 2}) == Approx(exact(s, kappa, {1, 2})).epsilon(1e-11));
+          CHECK(aware_energy(weights, bonds, kappa, {1, 2}) == Approx(exact(s, kappa, {1, 2})).epsilon(1e-11));
       }
 }
 
@@ -166,5 +167,5 @@ TEST_CASE("few directions in the plane: isotropic strain has its energy, and no 
   CHECK(weights.match == Match::arbitrary_horizon);
   for (const auto& bond : weights.bonds) CHECK(bond.S == 0);
   const Eigen::Matrix2d same = Eigen::Matrix2d::Identity();
-  CHECK(energy(weights, bonds, same, {0, 0}) == Approx(exact(s, same, {0, 0})).epsilon(1e-12));
+  CHECK(aware_energy(weights, bonds, same, {0, 0}) == Approx(exact(s, same, {0, 0})).epsilon(1e-12));
 }

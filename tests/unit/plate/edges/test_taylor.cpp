@@ -10,7 +10,7 @@ using plate::taylor_weights;
 namespace {
 
 /// 1 + a x + b y + ... to the power of the order: has all terms up to it.
-double polynomial(const Eigen::VectorXd& x, int order) {
+double taylor_polynomial(const Eigen::VectorXd& x, int order) {
   double sum = 0.7;
   for (Eigen::Index i = 0; i < x.size(); ++i) sum += (0.3 + 0.2 * double(i)) * x[i];
   return std::pow(sum, order);
@@ -18,7 +18,7 @@ double polynomial(const Eigen::VectorXd& x, int order) {
 
 double value(const Eigen::VectorXd& weights, const Eigen::MatrixXd& nodes, int order) {
   double sum = 0;
-  for (Eigen::Index i = 0; i < nodes.cols(); ++i) sum += weights[i] * polynomial(nodes.col(i), order);
+  for (Eigen::Index i = 0; i < nodes.cols(); ++i) sum += weights[i] * taylor_polynomial(nodes.col(i), order);
   return sum;
 }
 
@@ -35,7 +35,8 @@ TEST_CASE("taylor: exact for polynomials up to its order, in one to three dimens
         const Eigen::VectorXd at = Eigen::VectorXd::Constant(dimension, 1.2);
         const Eigen::VectorXd weights = taylor_weights(nodes, at, order);
         const double sizes = weights.cwiseAbs().sum();
-        CHECK(std::abs(value(weights, nodes, order) - polynomial(at, order)) < 1e-14 * sizes);  // measured: 4e-16
+        CHECK(std::abs(value(weights, nodes, order) - taylor_polynomial(at, order)) <
+              1e-14 * sizes);  // measured: 4e-16
       }
 }
 

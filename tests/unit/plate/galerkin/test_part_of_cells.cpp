@@ -16,7 +16,7 @@ using namespace plate;
 
 namespace {
 
-Problem problem_of(geometry::Outline outline, double spacing) {
+Problem pressed_problem(geometry::Outline outline, double spacing) {
   auto problem = parts::problem_of(std::move(outline), {}, {parts::pressure(2)});
   problem.discretization.spacing = spacing, problem.discretization.formulation = &galerkin;
   problem.section.thickness = 0.1;
@@ -26,7 +26,7 @@ Problem problem_of(geometry::Outline outline, double spacing) {
 }  // namespace
 
 TEST_CASE("a plate in parts: pieces that cracks cut off from a Galerkin plate, held and not") {
-  auto problem = problem_of(geometry::rectangle(0, 0, 1.2, 0.8), 0.05);
+  auto problem = pressed_problem(geometry::rectangle(0, 0, 1.2, 0.8), 0.05);
   problem.supports = {{SupportKind::clamped, {"left"}, {}}};
   problem.cracks = {{{0.52, 0}, {0.63, 0.8}}, {{0.9, 0}, {0.9, 0.8}}};
   const auto found = [&](const Communicator& all) {
@@ -46,7 +46,7 @@ TEST_CASE("a plate in parts: pieces that cracks cut off from a Galerkin plate, h
 TEST_CASE("a plate in parts: a place is of one process, be it on an edge, beside a hole, or beyond a crack") {
   geometry::Outline outline{{{{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}}, {"a", "b", "c", "d", "e", "f"}},
                             {geometry::Circle{{0.25, 0.25}, 0.1, "hole0"}}};
-  auto problem = problem_of(outline, 0.04);
+  auto problem = pressed_problem(outline, 0.04);
   problem.cracks = {{{0.1, 0.7}, {0.4, 0.7}}};
   const std::vector<geometry::Point> at{{0.1, 0.1}, {0.25, 0.16}, {0.5, 0.5},   {0.52, 0.52},
                                         {0.3, 0.7}, {0.3, 0.701}, {0.3, 0.699}, {0.9, 0.33}};
@@ -63,7 +63,7 @@ TEST_CASE("a plate in parts: a place is of one process, be it on an edge, beside
 }
 
 TEST_CASE("a plate in parts: too few points for so many processes are refused by all") {
-  const auto problem = problem_of(geometry::rectangle(0, 0, 1, 1), 0.25);  // 25 points
+  const auto problem = pressed_problem(geometry::rectangle(0, 0, 1, 1), 0.25);  // 25 points
   int refused = 0;
   std::mutex one_by_one;
   thread_ranks::run(4, [&](const Communicator& all) {
@@ -80,7 +80,7 @@ TEST_CASE("a plate in parts: too few points for so many processes are refused by
 
 TEST_CASE(
     "what is seen about a tip: the widest ring, half a thickness, and as far as the edge where points are graded") {
-  auto problem = problem_of(geometry::rectangle(0, 0, 10, 10), 0.1);
+  auto problem = pressed_problem(geometry::rectangle(0, 0, 10, 10), 0.1);
   const geometry::Tip tip{{5, 5}, {1, 0}, 0, false};
   CHECK(reach_about_tip(problem, tip) == Approx(3.8));
   CHECK(widest_window(problem) == Approx(3.5));

@@ -15,7 +15,7 @@ using geometry::Point;
 namespace {
 
 /// Work on the three rigid motions: the resultant force, and its moments sum F x, sum F y with the couples.
-Eigen::Vector3d resultant(const Forces& forces, const std::vector<Point>& positions) {
+Eigen::Vector3d spread_resultant(const Forces& forces, const std::vector<Point>& positions) {
   Eigen::Vector3d sum(0, 0, 0);
   for (Eigen::Index k = 0; k < forces.cols(); ++k) {
     const Point& x = positions[std::size_t(k)];
@@ -29,11 +29,11 @@ const auto outline = geometry::rectangle(-0.2, 0.1, 1.8, 1.3);
 /// By points in cells, and by squares and triangles between points that lie on edges, alike and graded.
 std::vector<Eigen::Vector3d> resultants(const Load& load) {
   const auto cloud = geometry::lattice(outline, 0.1);
-  std::vector<Eigen::Vector3d> result{resultant(nodal_forces(load, cloud, outline), cloud.positions)};
+  std::vector<Eigen::Vector3d> result{spread_resultant(nodal_forces(load, cloud, outline), cloud.positions)};
   for (const geometry::Grading& grading : {geometry::Grading{}, geometry::Grading{0.03, std::nullopt, 0.2}}) {
     const auto cells = geometry::tessellation(outline, {}, 0.1, {{0.33, 0.47}}, grading);
     const std::vector<double> areas(cells.positions.size());  // of uniform pressures alone
-    result.push_back(resultant(nodal_forces(load, cells, areas), cells.positions));
+    result.push_back(spread_resultant(nodal_forces(load, cells, areas), cells.positions));
   }
   return result;
 }
@@ -49,7 +49,7 @@ Eigen::Vector3d pressed(const Pressure& pressure, const std::vector<Point>& ring
          Eigen::Vector3d(pressure.gradient.dot(m.first), growing.x(), growing.y());
 }
 
-void check(const Load& load, const Eigen::Vector3d& expected) {
+void check_spread(const Load& load, const Eigen::Vector3d& expected) {
   for (const auto& found : resultants(load)) {
     CAPTURE(found.transpose(), expected.transpose());
     CHECK((found - expected).norm() < 1e-12);  // measured: 3e-14 at most
@@ -60,7 +60,7 @@ void check(const Load& load, const Eigen::Vector3d& expected) {
 
 TEST_CASE("a pressure that grows has its resultant and the moments of this") {
   const Pressure pressure{.value = 3, .gradient = {-1.5, 4}, .from = {0.3, 0.2}};
-  check(Load{pressure}, pressed(pressure, outline.outer.vertices));
+  check_spread(Load{pressure}, pressed(pressure, outline.outer.vertices));
 }
 
 TEST_CASE("a pressure on a patch has its resultant and moments, wherever the patch lies on the points") {
@@ -69,15 +69,15 @@ TEST_CASE("a pressure on a patch has its resultant and moments, wherever the pat
   const std::vector<Point> bent{{0, 0.4}, {1, 0.4}, {1, 0.5}, {0.1, 0.5}, {0.1, 1}, {0, 1}};
   for (const auto& ring : {triangle, bent}) {
     pressure.patch = geometry::Polygon{ring, {}};
-    check(Load{pressure}, pressed(pressure, ring));
+    check_spread(Load{pressure}, pressed(pressure, ring));
   }
   pressure.patch = geometry::Circle{{0.9, 0.7}, 0.23, ""};
-  check(Load{pressure}, pressed(pressure, geometry::Patch(*pressure.patch).ring()));
+  check_spread(Load{pressure}, pressed(pressure, geometry::Patch(*pressure.patch).ring()));
 }
 
 TEST_CASE("a patch beyond the plate acts on what there is of the plate, one over all of it is the pressure") {
   Pressure pressure{.value = 3, .patch = geometry::Polygon{{{1.55, -5}, {9, -5}, {9, 5}, {1.55, 5}}, {}}};
-  check(Load{pressure}, pressed(pressure, {{1.55, 0.1}, {1.8, 0.1}, {1.8, 1.3}, {1.55, 1.3}}));
+  check_spread(Load{pressure}, pressed(pressure, {{1.55, 0.1}, {1.8, 0.1}, {1.8, 1.3}, {1.55, 1.3}}));
   pressure.patch = geometry::Polygon{{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, {}};
   const Load load{pressure}, everywhere{Pressure{.value = 3}};
   const auto cloud = geometry::lattice(outline, 0.1);
@@ -91,7 +91,7 @@ TEST_CASE("a line load has its resultant and moments") {
     const Point middle = (load.along[i] + load.along[i + 1]) / 2;
     expected += load.value * (load.along[i + 1] - load.along[i]).norm() * Eigen::Vector3d(1, middle.x(), middle.y());
   }
-  check(Load{load}, expected);
+  check_spread(Load{load}, expected);
   load.along = {{7, 7}, {8, 8}};
   CHECK_THROWS_AS(nodal_forces(Load{load}, geometry::lattice(outline, 0.1), outline), Refused);
 }
@@ -115,7 +115,7 @@ TEST_CASE("a line load across a crack gives each side what lies on it, with its 
         const Point middle = cross + (ahead ? 0.5 : -0.5) * length * way;
         const Eigen::Vector3d expected = line_load.value * length * Eigen::Vector3d(1, middle.x(), middle.y());
         CAPTURE(turn, above);
-        CHECK((resultant(own, at) - expected).norm() < 1e-12);  // measured: 2e-15
+        CHECK((spread_resultant(own, at) - expected).norm() < 1e-12);  // measured: 2e-15
       }
     };
     const auto cloud = geometry::lattice(outline, 0.1);

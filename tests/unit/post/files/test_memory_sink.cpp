@@ -15,7 +15,7 @@ Mesh mesh() {
   return result;
 }
 
-Frame frame(double time) {
+Frame sunk_frame(double time) {
   Frame result{time, 7, plate::State(3, 2), {}, {0, 0.5}};
   result.state << 1, 2, 10, 20, 100, 200;
   result.resultants.moments = Eigen::Matrix3Xd::Constant(3, 2, 4);
@@ -33,7 +33,7 @@ TEST_CASE("what is kept has a row per point, whatever the order in memory was") 
   ResultsInMemory kept;
   MemorySink sink(kept);
   sink.open(mesh());
-  sink.frame(frame(0.5), {}, {});
+  sink.frame(sunk_frame(0.5), {}, {});
   REQUIRE(kept.frames.size() == 1);
   const auto& [time, arrays, quads, triangles] = kept.frames.front();
   CHECK(time == 0.5);
@@ -53,7 +53,7 @@ TEST_CASE("corners of cells stand after the points, without area") {
   MemorySink sink(kept);
   auto cornered = mesh();
   cornered.corners = {{{4, 5}, {{0, -0.5, 0.5}, {1, 1.5, 0.5}}}};  // beyond the second point; a mean of both
-  sink.frame(frame(0), cornered, {});
+  sink.frame(sunk_frame(0), cornered, {});
   const auto& arrays = kept.frames.front().arrays;
   CHECK(arrays.at("x").values == Numbers{0, 1, 2, 3, 4, 5});
   CHECK(arrays.at("w").values == Numbers{1, 2, 2.5});
@@ -66,8 +66,8 @@ TEST_CASE("a frame that brings its cells has them, and so have those after it") 
   MemorySink sink(kept);
   auto other = mesh();
   other.quads = {{0, 1, 1, 0}};
-  sink.frame(frame(0), other, {});
-  sink.frame(frame(1), {}, {});
+  sink.frame(sunk_frame(0), other, {});
+  sink.frame(sunk_frame(1), {}, {});
   CHECK(kept.frames[0].quads.size() == 4);
   CHECK(kept.frames[1].quads == kept.frames[0].quads);
 }

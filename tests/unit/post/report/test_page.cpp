@@ -11,7 +11,7 @@ std::string between(const std::string& text, const std::string& from, const std:
   return text.substr(begin, text.find(to, begin) - begin);
 }
 
-std::size_t count(const std::string& text, const std::string& part) {
+std::size_t count_in_page(const std::string& text, const std::string& part) {
   std::size_t result = 0;
   for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++result;
   return result;
@@ -30,7 +30,7 @@ TEST_CASE("data of a report cannot end its block, and read back as they were") {
   const auto read = nlohmann::json::parse(data);
   CHECK(read["title"] == evil);
   CHECK(read["x"] == 1);
-  CHECK(count(page, "</script>") == 2);
+  CHECK(count_in_page(page, "</script>") == 2);
   CHECK(page.find("alert(1)</script>") == std::string::npos);
 }
 

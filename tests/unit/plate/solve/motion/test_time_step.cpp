@@ -14,7 +14,7 @@ small_plate::Model model(const std::vector<Support>& supports, double width = 0.
   return small_plate::model(geometry::rectangle(0, 0, width, 0.6), supports, small_plate::spaced(0.1));
 }
 
-small_plate::Model held() {
+small_plate::Model held_plate_of_step() {
   using enum SupportKind;
   return model({{clamped, {"left"}, {}}, {simply_supported, {"right"}, {}}});
 }
@@ -53,7 +53,7 @@ TEST_CASE("the stable step is below 2 / omega_max of the dense matrix, and not b
 }
 
 TEST_CASE("rotary inertia: a factor for the rotations alone, and a longer step for a thin plate") {
-  const auto m = held();
+  const auto m = held_plate_of_step();
   const auto& b = m.boundary;
   const Forces one = mass_of(m), ten = mass(section, b.cloud.areas, b.active, b.constraints, 10);
   CHECK(ten.row(0) == one.row(0));
