@@ -82,8 +82,8 @@ void Results::sample(const plate::Instant& now, bool last) {
   if (in_plane_) row.in_plane = &in_plane_->fields.displacement;
   outputs_.row(row, plate_);
   const auto when = fmt::format("at step {}, time {:g}", now.step, now.time);
-  if (in_plane_) {  // beside heat that holds the plate at rest its own energies are rounding
-    const double stored = in_plane_->stored;
+  if (in_plane_) {  // beside heat that leaves the plate at rest, held or free, its own energies are rounding
+    const double stored = std::abs(in_plane_->stored);
     terms.energy += stored, terms.discrete += stored, terms.work += stored;
   }
   if (content().moves()) energy_balance_.check(terms, when);

@@ -264,7 +264,10 @@ void BucklingRun::solve() {
   }
   stopwatch().lap("output");
   summary.analysis.stop_reason = fmt::format("{} modes", found.size());
-  if (found.size() < analysis.modes)
+  if (found.empty())
+    outputs_.warn(
+        {"the plate does not buckle under these loads: it is in tension; set values of the loads of the other sign"});
+  else if (found.size() < analysis.modes)
     outputs_.warn(
         {fmt::format("the loads make the plate buckle in {} modes only: most of it is in tension", found.size())});
 }

@@ -148,16 +148,28 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
   if (plate.distributed()) return distributed_buckling(plate, geometric, modes, tolerance);
   constexpr double none = 1e-9;    // of the largest |1 / factor| of single points: rounding
   constexpr double far_off = 1e3;  // tolerances: a residual that is not that of a mode
+  constexpr double beyond = 1e3;   // factors at which single points buckle: above those of plates
   const auto folded_stiffness = folded(plate.stiffness(), plate.constraints());
   const Forces diagonal = folded_diagonal(plate, plate.constraints());
   const auto all = unknowns(diagonal, elimination_order(folded_stiffness, diagonal));
   if (all.size() < 2) return {};
   const Matrix K = of_unknowns(folded_stiffness, all), K_g = of_unknowns(folded(geometric, plate.constraints()), all);
-  const auto [inverse_factors, vectors, solutions] =
-      largest_eigenvectors(Matrix(-K_g), K, modes, tolerance, "buckling", plate.constraints());
   const VectorXd weight = K.diagonal().cwiseInverse();
   const auto norm = [&](const VectorXd& force) { return std::sqrt(force.cwiseAbs2().dot(weight)); };
   const double largest = K_g.diagonal().cwiseAbs().cwiseProduct(weight).maxCoeff();
+  const auto find = [&](std::size_t count) {
+    return largest_eigenvectors(Matrix(-K_g), K, count, tolerance, "buckling", plate.constraints());
+  };
+  const auto find_all = [&]() -> Eigenvectors {
+    try {
+      return find(modes);
+    } catch (const NumericalError&) {  // there may be fewer, and nothing to find beside them
+      const auto count = Factor::of_any_sign(K + beyond / largest * K_g).negative();
+      if (count >= modes) throw;
+      return count > 0 ? find(count) : Eigenvectors{};
+    }
+  };
+  const auto [inverse_factors, vectors, solutions] = find_all();
   std::vector<BucklingMode> result;
   for (Eigen::Index i = 0; i < inverse_factors.size(); ++i) {
     if (!(inverse_factors[i] > none * largest)) break;

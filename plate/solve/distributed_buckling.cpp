@@ -176,9 +176,9 @@ std::vector<BucklingMode> distributed_buckling(const Formulation& plate, const P
   const BucklingPencil pencil(plate, geometric, inner_tolerance * tolerance);
   const auto count = Index(modes);
   LanczosOfPencil lanczos(pencil, count, std::max<Index>(3 * count + 8, 24));
-  if (!lanczos.find(tolerance, most_restarts))
-    throw NumericalError("buckling: the Lanczos iteration does not converge");
+  const bool converged = lanczos.find(tolerance, most_restarts);
   const double least = none * pencil.largest_of_points();
+  if (!converged && lanczos.value(0) > least) throw NumericalError("buckling: the Lanczos iteration does not converge");
   std::vector<BucklingMode> result;
   for (Index i = 0; i < lanczos.found() && lanczos.value(i) > least; ++i) {
     const double factor = 1 / lanczos.value(i);

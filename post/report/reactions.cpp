@@ -44,23 +44,50 @@ std::vector<int> sides_that_hold(const plate::Boundary& boundary, const plate::F
   return {one, other};
 }
 
+/// True where a side holds this rotation, or as one of a plane this displacement: not its own where it is along an
+/// axis.
+bool bears(const plate::Side& side, const plate::Dof& dof) {
+  using enum plate::SupportKind;
+  const int axis = side.normal_axis();
+  const bool across = dof.component == (axis == 0 ? 2 : 1);  // psi = (-theta_y, theta_x)
+  if (plate::is_deflection(dof) || axis < 0 || (side.kind != symmetry && side.kind != simply_supported_hard))
+    return true;
+  return across == (side.kind == symmetry);
+}
+
+/// True where a holder bears a rotation of a point of the plate: by a side at the point, or as no edge.
+bool bears(const plate::Boundary& boundary, std::uint32_t holder, const plate::Dof& dof) {
+  constexpr double near = 1e-6;  // spacings
+  bool beside = false;
+  for (const auto& side : boundary.sides) {
+    if (side.name != boundary.holders[holder].name || std::abs(side.inside(boundary.lattice[dof.point])) > near)
+      continue;
+    if (bears(side, dof)) return true;
+    beside = true;
+  }
+  return !beside;
+}
+
 /// The holders of every degree of freedom that is held.
 std::map<plate::Dof, std::vector<std::uint32_t>> holders_by_dof(const plate::Boundary& boundary) {
-  std::map<plate::Dof, std::vector<std::uint32_t>> result;
-  const auto add = [&](const plate::Dof& dof, std::uint32_t holder) {
+  std::map<plate::Dof, std::vector<std::uint32_t>> result, beside;  // those that bear it, and others there
+  const auto add = [&](const plate::Dof& dof, std::uint32_t holder, bool bears_it) {
     if (!boundary.constraints.held(dof)) return;
-    auto& all = result[dof];
+    auto& all = (bears_it ? result : beside)[dof];
     if (std::ranges::find(all, holder) == all.end()) all.push_back(holder);
   };
   for (const auto& hold : boundary.holds)
     for (const auto dof : plate::dofs_of(hold.point))
-      if (plate::is_deflection(dof) != hold.rotations) add(dof, hold.holder);
+      if (plate::is_deflection(dof) != hold.rotations) add(dof, hold.holder, bears(boundary, hold.holder, dof));
   for (std::size_t i = 0; i < boundary.fictitious.size(); ++i)
-    for (const int side : sides_that_hold(boundary, boundary.fictitious[i])) {
-      const auto by = plate::holder(boundary.holders, boundary.sides[std::size_t(side)].name);
+    for (const int s : sides_that_hold(boundary, boundary.fictitious[i])) {
+      const auto& side = boundary.sides[std::size_t(s)];
+      const auto by = plate::holder(boundary.holders, side.name);
       if (by == boundary.holders.size()) continue;  // beyond an edge that is held in the plane alone, or across it
-      for (const auto dof : plate::dofs_of(std::uint32_t(boundary.cloud.plate_points + i))) add(dof, by);
+      for (const auto dof : plate::dofs_of(std::uint32_t(boundary.cloud.plate_points + i)))
+        add(dof, by, bears(side, dof));
     }
+  result.merge(beside);  // where none bears it
   return result;
 }
 

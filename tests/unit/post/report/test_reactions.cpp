@@ -150,6 +150,19 @@ TEST_CASE("reactions: a mirror plane takes moments alone, and what is left is ha
   }
 }
 
+TEST_CASE("reactions: at a corner of two mirror planes each takes the moment across itself") {
+  for (const std::string formulation : {"galerkin", "ordinary"}) {
+    const auto found = reactions_of(
+        {"geometry.cracks=[]", "discretization.spacing=0.1", "load=[{kind=\"edge_moment\",edges=[\"right\"],value=3}]",
+         "support=[{kind=\"symmetry\",edges=[\"left\",\"bottom\"]},{kind=\"pinned\",points=[[0.95,0.95]]}]"},
+        formulation);
+    CAPTURE(formulation);
+    CHECK(std::abs(by(found, "left").moment_y) == Approx(6).epsilon(1e-6));
+    CHECK(std::abs(by(found, "left").moment_x) < 1e-6);
+    CHECK(std::abs(by(found, "bottom").moment_y) < 1e-6);
+  }
+}
+
 TEST_CASE("reactions: the edges of a rectangle with hard supports share the pressure as Navier's series says") {
   const double a = 2, b = 1;
   double left = 0;  // the shear force Q_x of the series along x = 0
