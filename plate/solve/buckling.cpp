@@ -78,6 +78,14 @@ private:
   Factor factor_;
 };
 
+bool is_positive(const Matrix& lower) {
+  try {
+    return Factor(lower).bytes() > 0;
+  } catch (const NotPositive&) {
+    return false;
+  }
+}
+
 /// The state of the unknowns with the largest |w| of 1.
 State shape_of(const VectorXd& values, const Unknowns& unknowns, const Formulation& plate) {
   State result = zero_state(plate.points());
@@ -157,6 +165,9 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
   const VectorXd weight = K.diagonal().cwiseInverse();
   const auto norm = [&](const VectorXd& force) { return std::sqrt(force.cwiseAbs2().dot(weight)); };
   const double largest = K_g.diagonal().cwiseAbs().cwiseProduct(weight).maxCoeff();
+  if (!(largest > 0)) return {};
+  const Matrix softest = K + beyond / largest * K_g;
+  if (is_positive(softest)) return {};
   const auto find = [&](std::size_t count) {
     return largest_eigenvectors(Matrix(-K_g), K, count, tolerance, "buckling", plate.constraints());
   };
@@ -164,9 +175,9 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
     try {
       return find(modes);
     } catch (const NumericalError&) {  // there may be fewer, and nothing to find beside them
-      const auto count = Factor::of_any_sign(K + beyond / largest * K_g).negative();
+      const auto count = Factor::of_any_sign(softest).negative();
       if (count >= modes) throw;
-      return count > 0 ? find(count) : Eigenvectors{};
+      return find(count);
     }
   };
   const auto [inverse_factors, vectors, solutions] = find_all();

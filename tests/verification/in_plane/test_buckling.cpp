@@ -182,9 +182,10 @@ TEST_CASE("buckling: loads that press the faces of a crack together are told", "
 }
 
 TEST_CASE("buckling: a plate in tension has no load at which it buckles", "[in_plane]") {
-  for (const auto& [tension, n] : {std::pair{Eigen::Vector2d(1, 0.5), 10}, {{1, 1}, 40}, {{1, 0}, 25}})
-    for (const double h : {0.05, 0.003})
-      CHECK(modes_of(loaded(1, h, SupportKind::simply_supported_hard, {tension.x(), tension.y(), 0}, n), 5).empty());
+  for (const double h : {0.05, 0.003}) {
+    CHECK(modes_of(loaded(1, h, SupportKind::simply_supported_hard, {1, 0.5, 0}, 10)).empty());
+    CHECK(modes_of(loaded(1, h, SupportKind::simply_supported_hard, {1, 1, 0}, 30), 5).empty());
+  }
 }
 
 TEST_CASE("buckling: frequencies go to zero with the load", "[in_plane]") {
