@@ -194,6 +194,21 @@ void reactions(Text out, const ReactionSummary& reactions, const std::string& of
                  balance.inertia ? fmt::format(", inertia {}", force(*balance.inertia)) : "", balance.residual);
 }
 
+/// The plate in its plane at rest. `of`: empty, or the load case.
+void displaced(Text out, const MembraneSummary& membrane, const std::string& of, bool si, std::size_t most) {
+  double size = 0;
+  for (const auto& one : membrane.reactions) size = std::max(size, one.force.norm());
+  const auto force = [&](double value) {
+    return std::abs(value) < nothing * size ? "0" : fmt::format("{:.5g}", value);
+  };
+  std::vector<std::string> texts;
+  for (const auto& one : membrane.reactions)
+    texts.push_back(fmt::format("{} ({}, {})", one.name, force(one.force.x()), force(one.force.y())));
+  fmt::format_to(out, "reactions in the plane{}{}: {}; largest displacement there {:.5g}{}\n", si ? " [N]" : "", of,
+                 texts.empty() ? "none" : shortened(std::move(texts), most), membrane.largest_displacement,
+                 si ? " m" : "");
+}
+
 /// Prints the peaks, in motion with their times, in statics without.
 void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness) {
   const auto moment = [&](const Peak& peak) { return std::abs(peak.value) * (peak.quantity == "K3" ? thickness : 1); };
@@ -322,10 +337,13 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   std::string text;
   const Text out(text);
   const auto& a = summary.analysis;
+  const bool has_plane =
+      summary.membrane || std::ranges::any_of(summary.load_cases, [](const auto& one) { return bool(one.membrane); });
   fmt::format_to(out, "{}: {} ({}), {} points, {} bonds, {} {} in {:.1f} s, {}\n", summary.title, summary.formulation,
                  summary.formulation_reason, summary.points, summary.bonds,
                  a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
-                 summary.seconds.back().second, a.stop_reason);
+                 summary.seconds.back().second,
+                 has_plane && a.iterations == std::size_t(0) ? "loaded in its plane alone" : a.stop_reason);
   if (summary.processes) text += printed(*summary.processes);
   if (summary.accuracy) accuracy(out, *summary.accuracy);
   if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
@@ -337,8 +355,9 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     const auto& [of_supports, loads, inertia, residual] = summary.reactions->balance;
     double size = std::abs(loads.force);
     for (const auto& one : of_supports) size = std::max(size, std::abs(one.force));
-    reactions(out, *summary.reactions, si ? " [N]" : "", size, 12);
+    if (size > 0 || !summary.membrane) reactions(out, *summary.reactions, si ? " [N]" : "", size, 12);
   }
+  if (summary.membrane && a.iterations) displaced(out, *summary.membrane, "", si, 12);
   if (summary.touching) fmt::format_to(out, "soil touches {:.1f} % of what lies above it\n", 100 * *summary.touching);
   if (summary.contact) contact(out, *summary.contact, "", si);
   if (summary.multipliers)
@@ -474,6 +493,8 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
     if (one.reactions)
       reactions(out, *one.reactions, (si ? " [N], " : ", ") + one.name, std::abs(one.reactions->balance.loads.force),
                 8);
+  for (const auto& one : summary.load_cases)
+    if (one.membrane) displaced(out, *one.membrane, ", " + one.name, si, 8);
   for (const auto& one : summary.load_cases)
     for (const auto& peak : one.extremes)
       if (peak.quantity == "w" && peak.position)

@@ -115,6 +115,12 @@ TEST_CASE(
       {{"left", {}}, {"pin0", geometry::Point(1, 2)}}, 0, {{{-3, 0, 0}, {1e-12, 0, 0}}, {3, 0, 0}, {}, 2e-9}, 2e-9, {}};
   CHECK_THAT(post::printed(content, true, 0.1, "there"),
              Catch::Contains("reactions along w [N]: left -3, pin0 0; loads 3; balanced to 2.0e-09"));
+  content.analysis.iterations = 7, content.membrane = post::MembraneSummary{};
+  content.membrane->reactions = {{"left", {-3, 1e-12}}}, content.membrane->largest_displacement = 0.5;
+  CHECK_THAT(post::printed(content, true, 0.1, "there"),
+             Catch::Contains("reactions in the plane [N]: left (-3, 0); largest displacement there 0.5 m") &&
+                 !Catch::Contains("loaded in its plane alone"));
+  content.membrane.reset();
   CHECK_THAT(post::printed(content, false, 0.1, "there"), !Catch::Contains("multipliers"));
   content.multipliers = 0.123;
   CHECK_THAT(post::printed(content, false, 0.1, "there"),
