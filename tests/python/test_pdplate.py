@@ -62,6 +62,7 @@ CASES = {
                                discretization={"spacing": 0.05, "formulation": "ordinary"}), {}),
     "frequencies": (changed(analysis={"kind": "frequencies", "modes": 4}, load=None, srif=None, output=None), {}),
     "growth": (ROOT / "cases/growth/double_torsion.toml", {"discretization.spacing": 0.05, "growth.max_advances": 3}),
+    "load cases": (ROOT / "cases/static/glass_canopy.toml", {}),
     "two formulations": (changed(srif={"second_formulation": True}), {}),
 }
 
@@ -158,6 +159,21 @@ class Arrays(unittest.TestCase):
         with self.assertRaises(AttributeError):
             result.w
         self.assertEqual(result.frames, [])
+
+    def test_load_cases(self):
+        result = pdplate.run(*CASES["load cases"])
+        names = [entry["name"] for entry in result.summary["load_cases"]]
+        self.assertEqual(list(result.cases), names)
+        self.assertEqual(len(result.frames), len(names))
+        for name in names:
+            expected = result.cases[name]["srif"][0]
+            self.assertEqual(result.K(case=name)["K1"].tolist(), [expected["K1"]])
+            self.assertEqual(next(f for f in result.factors if f["case"] == name)["K1"], expected["K1"])
+        for wrong in ({}, {"case": "none of them"}, {"case": names[0], "tip": 99}):
+            with self.assertRaises(ValueError):
+                result.K(**wrong)
+        with self.assertRaises(ValueError):
+            pdplate.run(CASES["frequencies"][0]).K()
 
     def test_loads_in_the_plane(self):
         result = pdplate.run(PULLED)

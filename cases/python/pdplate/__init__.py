@@ -66,7 +66,8 @@ class Result:
 
     summary      as summary.json: a dict
     factors      its entries of `srif`: dicts, the recommended method of each tip first, with K1, K2, K3, their estimated errors and
-                 `faces`; with loads in the plane N1 and N2 as well
+                 `faces`; with loads in the plane N1 and N2 as well. With load cases those of all, the name of each in `case`
+    cases        name of a load case or a combination -> its entry of `load_cases` in summary.json; in the order of `frames`
     tables       name -> column -> array, as the .csv files: history, srif, probes, frequencies, growth, tips, cracks; nan where a cell
                  is empty; columns of words are lists
     frames       a list of Frame; points, w, theta, moments, shear, von_mises, damage, displacement, membrane_forces are those of the
@@ -77,7 +78,9 @@ class Result:
 
     def __init__(self, raw):
         self.summary = _json.loads(raw["summary"]) if raw["summary"] else {}
-        self.factors = self.summary.get("srif", [])
+        self.cases = {entry["name"]: entry for entry in self.summary.get("load_cases", [])}
+        self.factors = self.summary.get("srif", []) + [dict(factor, case=name) for name, entry in self.cases.items()
+                                                       for factor in entry.get("srif", [])]
         self.tables = {name: {column: _cells([row[i] for row in rows]) for i, column in enumerate(columns)}
                        for name, (columns, rows) in raw["tables"].items()}
         self.cracks, self.resolved = raw["cracks"], raw["resolved"]
@@ -99,13 +102,18 @@ class Result:
         """Of the modes [1/time], ascending."""
         return self.tables["frequencies"]["frequency"] if "frequencies" in self.tables else _np.array([])
 
-    def K(self, tip=0, method=None):
-        """Factors of a tip in time, or over the advances of a growth, by its recommended method: arrays time, K1, K2, K3,
-        estimated_error; with loads in the plane N1 and N2."""
+    def K(self, tip=0, method=None, case=None):
+        """Factors of a tip in time, over the advances of a growth, or of a load case, by its recommended method: arrays time, K1, K2,
+        K3, estimated_error; with loads in the plane N1 and N2. ValueError where there are none, or load cases and `case` names none."""
+        if (case is None and self.cases) or (case is not None and case not in self.cases):
+            raise ValueError(f"case is {case!r}, must be one of {list(self.cases)}")
+        methods = [entry["method"] for entry in self.factors if entry["tip"] == tip and entry.get("case") == case]
+        if not methods:
+            raise ValueError(f"tip {tip} has no factors")
         table = self.tables["srif"]
-        if method is None:
-            method = next(entry["method"] for entry in self.factors if entry["tip"] == tip)
-        rows = (table["tip"] == tip) & (_np.array(table["method"]) == method)
+        rows = (table["tip"] == tip) & (_np.array(table["method"]) == (method or methods[0]))
+        if case is not None:
+            rows &= _np.array(table["case"]) == case
         return {name: table[name][rows] for name in ("time", "K1", "K2", "K3", "estimated_error", "N1", "N2") if name in table}
 
     def __repr__(self):
