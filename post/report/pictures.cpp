@@ -66,7 +66,7 @@ void Raster::widen() {
 
 namespace {
 
-// A page of 2.5 MB: 7 fields of one frame and 3 of six others take 1.0 million numbers of 16 bits.
+// A page of 2.5 MB: 7 fields of one frame and 3 of six others take 1.0 million numbers of 16 bits; in the plane 3 more.
 constexpr std::size_t pixels_of_last = 300 * 300;
 constexpr std::size_t most_earlier = 6, coarser = 2;
 constexpr std::array shares{0.005, 0.995};  // percentiles of the pixels at the ends of the colours
@@ -123,14 +123,20 @@ Pictures::Picture Pictures::picture(const Frame& frame) const {
     result.fields.push_back(
         {name, raster_->pixels(at_vertices(mesh_, values, weight).reshaped()), values.minCoeff(), values.maxCoeff()});
   };
-  add("w", frame.state.row(0), linear);
+  const auto add_tensor = [&](const std::array<const char*, 3>& of, const Eigen::Matrix3Xd& values) {
+    for (Eigen::Index i = 0; i < 3; ++i) add(of[std::size_t(i)], values.row(i), mean);
+  };
+  const auto& in_plane = frame.in_plane;
+  const bool bends = !in_plane || !earlier_.empty() || !frame.state.isZero(0);
+  if (bends) add("w", frame.state.row(0), linear);
   const auto& [moments, shear, von_mises] = frame.resultants;
-  if (von_mises.size() > 0) {
-    add("von_mises", von_mises.transpose(), mean);
-    add("Mxx", moments.row(0), mean);
-    add("Myy", moments.row(1), mean);
-    add("Mxy", moments.row(2), mean);
+  if (von_mises.size() > 0) add("von_mises", von_mises.transpose(), mean);
+  if (bends && von_mises.size() > 0) add_tensor({"Mxx", "Myy", "Mxy"}, moments);
+  if (!bends) {
+    add("u", in_plane->displacement.row(0), linear);
+    add("v", in_plane->displacement.row(1), linear);
   }
+  if (in_plane && in_plane->force.cols() > 0) add_tensor({"Nxx", "Nyy", "Nxy"}, in_plane->force);
   if (std::ranges::any_of(frame.damage, [](double damage) { return damage > 0; }))
     add("damage", row_of(frame.damage), mean);
   return result;

@@ -8,7 +8,7 @@ function header() {
     facts([
       ["Project", data.project], ["Author", data.author], ["Date", data.date],
       ["Outcome", element("b", { class: failed ? "failed" : "done" }, failed ? s.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
-      ["Analysis", `${a.kind}, ${spaced(a.method)}${a.preconditioner ? ` with ${spaced(a.preconditioner)}` : ""}${solved ? `, ${solved}` : ""}${a.stop_reason && !failed ? `: ${a.stop_reason}` : ""}`],
+      ["Analysis", `${a.kind}, ${spaced(a.method)}${a.preconditioner ? ` with ${spaced(a.preconditioner)}` : ""}${solved ? `, ${solved}` : ""}${s.membrane && a.iterations === 0 ? ": loaded in its plane alone" : a.stop_reason && !failed ? `: ${a.stop_reason}` : ""}`],
       ["Formulation", s.formulation === "galerkin" ? "Galerkin plate" : s.formulation === "ordinary" ? "bonds over a horizon" : s.formulation, ` (${s.formulation_reason})`],
       ["Plate", value("points", 6, whole(s.points)), ` points, spacing ${shown(s.spacing, 4)}${unit("length") ? ` ${unit("length")}` : ""}, ${whole(s.bonds)} bonds`],
       ["Time", value("seconds.total", 3, seconds(s.seconds.total)), `, ${bytes(s.peak_memory_bytes)} of memory`],
@@ -135,6 +135,8 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
   "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
 
+const titles = { sanity: "Validity of the theory", membrane: "In the plane" };
+
 function other_section() {
   const others = Object.entries(data.summary).filter(([name]) => !known.has(name));
   const cell = (path, what) => (typeof what === "number" ? value(path) : typeof what === "object" && what !== null ? nested(path, what) : String(what));
@@ -147,7 +149,7 @@ function other_section() {
     if (list) return what.map((one, i) => [i ? ", " : "", cell(`${path}[${i}]`, one)]);
     return facts(Object.entries(what).map(([name, one]) => [capital(spaced(name)), cell(`${path}.${name}`, one)]));
   };
-  return section("Further results", others.map(([name, what]) => [element("h3", {}, name === "sanity" ? "Validity of the theory" : capital(spaced(name))), element("div", {}, nested_or_text(what, name))]));
+  return section("Further results", others.map(([name, what]) => [element("h3", {}, titles[name] ?? capital(spaced(name))), element("div", {}, nested_or_text(what, name))]));
   function nested_or_text(what, name) {
     return typeof what === "object" && what !== null ? nested(name, what) : cell(name, what);
   }

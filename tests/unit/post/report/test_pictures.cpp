@@ -85,6 +85,22 @@ TEST_CASE("pictures keep values to a part in ten thousand of their colours, what
   CHECK(field(json, "damage").is_null());
 }
 
+TEST_CASE("pictures in the plane: membrane forces beside moments, displacements where the plate stays flat") {
+  const auto mesh = square(10);
+  for (const double deflection : {0.0, 3.0}) {
+    auto one = frame(mesh, 1, deflection);
+    const auto n = one.state.cols();
+    one.in_plane = {.displacement = Eigen::Matrix2Xd::Constant(2, n, 7), .force = Eigen::Matrix3Xd::Constant(3, n, -5)};
+    post::Pictures pictures;
+    pictures.open(mesh);
+    pictures.look(one);
+    const auto json = nlohmann::json::parse(pictures.json());
+    for (const std::string name : {"Nxx", "Nyy", "Nxy"}) CHECK(field(json, name)["least"] == -5);
+    for (const std::string name : {"w", "Mxx", "Mxy"}) CHECK(field(json, name).is_null() == (deflection == 0));
+    for (const std::string name : {"u", "v"}) CHECK(field(json, name).is_null() == (deflection != 0));
+  }
+}
+
 TEST_CASE("of many frames a few are kept, spread over the run, and the last with all its fields") {
   const auto mesh = square(10);
   const int count = GENERATE(1, 2, 6, 7, 50, 333);
