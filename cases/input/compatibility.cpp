@@ -248,6 +248,9 @@ const std::vector<Exclusion> excluded_pairs{
     {touching_faces, tips_in_motion, "cracks.contact",
      "growth in motion takes no account of faces that touch: remove it, or let cracks grow at rest, with unstable = "
      "\"stop\" or \"jump\""},
+    {touching_faces, growth_of_bonds, "cracks.contact",
+     "single bonds that break leave no faces that could touch: remove it, or choose growth.criterion = "
+     "\"energy_release\""},
     {touching_faces, unilateral_foundation, "cracks.contact",
      "contact of faces and of soil are not found together yet: remove it, or lifts_off"},
     {touching_faces, factors_to_accuracy, "srif.accuracy",

@@ -395,8 +395,6 @@ const FormulationKind ordinary{
     "ordinary",
     "bonds",
     {{Feature::levels, "\"levels\" is of formulation = \"galerkin\""},
-     {Feature::moving_faces,
-      "bonds have no points on the faces of cracks, which would meet in motion or as cracks grow"},
      {Feature::hubs_in_holes, "bonds have no points on the rim of a hole, which a hub would move"},
      {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
      {Feature::any_direction, "these supports mirror or extend the lattice, at edges along x or y"},

@@ -198,6 +198,26 @@ TEST_CASE("growth with contact: the crack takes the fracture energy, and more lo
   CHECK(std::abs(touching.spent() - 1) < 0.03);  // 1.9 %
 }
 
+TEST_CASE("growth with contact: bonds start at the load of the Galerkin plate, and as without contact in tension") {
+  const auto starts = [](const std::string& formulation, double traction, double moment, bool contact) {
+    return Grown({.width = 2,
+                  .height = 2,
+                  .a = 0.2,
+                  .spacing = 0.04,
+                  .traction = traction,
+                  .moment = moment,
+                  .contact = contact,
+                  .formulation = formulation,
+                  .growth = "direction = \"straight\"\nmax_advances = 1"})
+        .at("growth", 0, "load_factor");
+  };
+  const double bonds = starts("ordinary", 0, 1, true), cells = starts("galerkin", 0, 1, true);
+  CAPTURE(bonds / cells - 1);
+  CHECK(bonds == Approx(cells).epsilon(0.03));
+  CHECK(bonds > 1.4 * starts("ordinary", 0, 1, false));
+  CHECK(starts("ordinary", 40, 0.1, true) == Approx(starts("ordinary", 40, 0.1, false)).epsilon(1e-9));
+}
+
 TEST_CASE("growth in the plane: in slow motion the tips of bonds start at the load of rest, alike") {
   Cracked plate{.height = 1.5,
                 .a = 0.25,
