@@ -5,7 +5,6 @@
 #include "cases/runs/results.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"
-#include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/communicator.hpp"
 #include "plate/model/errors.hpp"
@@ -184,7 +183,8 @@ std::vector<double> coarser_buckling(const Case& c, const plate::Communicator& a
   std::vector<double> result;
   try {
     const auto made = plate::discretise(coarse, all);
-    if (!plate::loose(*made.plate).empty() || !plate::loose(*made.membrane).empty()) return result;
+    for (const auto* one : {made.plate.get(), made.membrane.get()})
+      if (!one->held() || one->may_move()) return result;
     const auto geometric = c.coupled() ? plate::coupled_prestress(*made.plate, *made.membrane).geometric
                                        : plate::prestress(*made.membrane);
     for (const auto& mode : buckling_modes(c, *made.plate, *made.membrane, geometric)) result.push_back(mode.factor);

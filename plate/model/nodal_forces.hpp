@@ -103,8 +103,8 @@ std::vector<SupportMotion> support_motions(const Problem& problem);
 Eigen::VectorXd free_curvature(const Load& load, const Section& section, const std::vector<geometry::Point>& positions,
                                std::size_t count);
 
-/// Of a section that couples, the free strain beside the free curvature of a plate, or the curvature beside the strain
-/// of its plane; else empty.
+/// Free strain beside the free curvature of a plate whose section couples, or curvature beside the strain of its plane;
+/// else empty.
 Eigen::VectorXd free_curvature_beside(Load load, Section section, const std::vector<geometry::Point>& positions,
                                       std::size_t count);
 

@@ -105,8 +105,8 @@ struct LocalSection {
   void add(const LocalSection& other, double weight);
 };
 
-/// What holds plies that may not expand by a unit of free strain (PlateLaw::membrane), of free curvature (bending), or
-/// of one against the other (coupling).
+/// Resultants and energy of plies that may not expand by a unit of free strain (PlateLaw::membrane), of free curvature
+/// (bending), or of one against the other (coupling).
 struct HeldPlies {
   Eigen::Vector3d resultants = Eigen::Vector3d::Zero();  // xx, yy, xy: integrals of Q e, Q e z^2, Q e z
   double energy = 0;                                     // likewise of e . Q e / 2

@@ -69,8 +69,8 @@ class HarmonicReactions {
 public:
   /// `plate` must outlive this.
   HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping);
-  /// Those of a plate with its plane: `stiffness`, which must outlive this, and mass are of stacked states, as those of
-  /// at() and functionals() then are.
+  /// Reactions of a plate with its plane: `stiffness`, which must outlive this, and mass are of stacked states, as
+  /// those of at() and functionals() then are.
   HarmonicReactions(const plate::Formulation& plate, const plate::Damping& damping, const plate::Operator& stiffness,
                     plate::Inertia inertia);
   ~HarmonicReactions();
