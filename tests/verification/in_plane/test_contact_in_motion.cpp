@@ -262,7 +262,7 @@ TEST_CASE("contact in motion: a crack in bonds that opens and closes keeps energ
   CHECK(found.overlap > -1e-5);    // -6e-6, of the start
   CHECK(found.opening > 1e-3);
   CHECK(found.lost > 0);
-  CHECK(found.lost < 0.3);
+  CHECK(found.lost < 0.3);  // 0.27 in four times as long
   CHECK(found.momentum < 1e-10);
 }
 
@@ -280,8 +280,6 @@ cracks = [[[0.3, 0.25], [0.7, 0.25]]]
 contact = true
 [discretization]
 spacing = 0.025
-formulation = "galerkin"
-refine_tips = false
 [[support]]
 kind = "clamped"
 edges = ["bottom"]
@@ -301,7 +299,9 @@ struct Run {
   post::ResultsInMemory results;
   post::Summary summary;
 
-  explicit Run(const std::string& analysis, const std::vector<std::string>& settings = {}) {
+  Run(const std::string& formulation, const std::string& analysis, std::vector<std::string> settings = {}) {
+    settings.push_back("discretization.formulation=" + formulation);
+    if (formulation == "galerkin") settings.push_back("discretization.refine_tips=false");
     const auto file = cases::read_case_text(slow + analysis, "contact", settings);
     summary = cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
   }
@@ -318,12 +318,12 @@ struct Run {
 }  // namespace
 
 TEST_CASE("contact in motion: slow loads bring a damped plate to its equilibrium with contact", "[in_plane]") {
-  const auto formulation = "discretization.formulation=" + GENERATE(as<std::string>(), "galerkin", "ordinary");
+  const auto formulation = GENERATE(as<std::string>(), "galerkin", "ordinary");
   INFO(formulation);
-  const Run rest("[analysis]\nkind = \"static\"\n", {formulation});
-  const Run moving("[analysis]\nkind = \"dynamic\"\nduration = 0.03\ndamping = { mass = 900.0 }\n",
-                   {formulation, "load[0].history=ramp", "load[0].rise_time=0.01", "load[1].history=ramp",
-                    "load[1].rise_time=0.01"});
+  const Run rest(formulation, "[analysis]\nkind = \"static\"\n");
+  const Run moving(
+      formulation, "[analysis]\nkind = \"dynamic\"\nduration = 0.03\ndamping = { mass = 900.0 }\n",
+      {"load[0].history=ramp", "load[0].rise_time=0.01", "load[1].history=ramp", "load[1].rise_time=0.01"});
   for (const std::size_t which : {0, 1}) {
     CAPTURE(which, moving.tip(which).K1 / rest.tip(which).K1 - 1, moving.tip(which).membrane->N[0]);
     CHECK(moving.tip(which).K1 == Approx(rest.tip(which).K1).epsilon(1e-3));
@@ -341,24 +341,24 @@ TEST_CASE("contact in motion: slow loads bring a damped plate to its equilibrium
 
 TEST_CASE("contact in motion: bonds and the Galerkin plate have the same factors in the first swing", "[in_plane]") {
   const auto swing = [](const std::string& formulation) {
-    return Run("[analysis]\nkind = \"dynamic\"\nduration = 0.0015\n",
-               {"geometry.outline={rectangle=[0.0,0.0,2.0,1.0]}", "geometry.cracks=[[[0.6,0.5],[1.4,0.5]]]",
-                "discretization.formulation=" + formulation, "load[0].history=ramp", "load[0].rise_time=0.0005",
-                "load[1].history=ramp", "load[1].rise_time=0.0005"});
+    return Run(
+        formulation, "[analysis]\nkind = \"dynamic\"\nduration = 0.0015\n",
+        {"geometry.outline={rectangle=[0.0,0.0,2.0,1.0]}", "geometry.cracks=[[[0.6,0.5],[1.4,0.5]]]",
+         "load[0].history=ramp", "load[0].rise_time=0.0005", "load[1].history=ramp", "load[1].rise_time=0.0005"});
   };
   const Run bonds = swing("ordinary"), cells = swing("galerkin");
   for (const std::size_t which : {0, 1}) {
     CAPTURE(which, bonds.tip(which).K1 / cells.tip(which).K1 - 1);
-    CHECK(bonds.tip(which).K1 == Approx(cells.tip(which).K1).epsilon(0.02));
+    CHECK(bonds.tip(which).K1 == Approx(cells.tip(which).K1).epsilon(0.02));  // 0.1, 0.4 %
     CHECK(bonds.tip(which).membrane->N[0] == Approx(cells.tip(which).membrane->N[0]).epsilon(0.02));
   }
 }
 
 TEST_CASE("contact in motion: bonds whose crack stays open move as without contact", "[in_plane]") {
   const auto pulled = [](const std::string& contact) {
-    return Run("[analysis]\nkind = \"dynamic\"\nstart = \"equilibrium\"\nduration = 0.001\n",
-               {"cracks.contact=" + contact, "discretization.formulation=ordinary", "load[0].value=1",
-                "load[0].history=ramp", "load[0].rise_time=0.0005", "load[1].value=3000"});
+    return Run("ordinary", "[analysis]\nkind = \"dynamic\"\nstart = \"equilibrium\"\nduration = 0.001\n",
+               {"cracks.contact=" + contact, "load[0].value=1", "load[0].history=ramp", "load[0].rise_time=0.0005",
+                "load[1].value=3000"});
   };
   const Run closing = pulled("true"), open = pulled("false");
   CHECK(closing.summary.contact->largest_pressure == 0);
@@ -366,6 +366,6 @@ TEST_CASE("contact in motion: bonds whose crack stays open move as without conta
   REQUIRE(closing.summary.energy.size() > 3);
   for (std::size_t i = 0; i < open.summary.energy.size(); ++i) {
     CAPTURE(open.summary.energy[i].first);
-    CHECK(closing.summary.energy[i].second == Approx(open.summary.energy[i].second).epsilon(1e-9));
+    CHECK(closing.summary.energy[i].second == Approx(open.summary.energy[i].second).epsilon(1e-9));  // 3e-13
   }
 }

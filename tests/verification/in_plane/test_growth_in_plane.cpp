@@ -213,7 +213,7 @@ TEST_CASE("growth with contact: bonds start at the load of the Galerkin plate, a
   };
   const double bonds = starts("ordinary", 0, 1, true), cells = starts("galerkin", 0, 1, true);
   CAPTURE(bonds / cells - 1);
-  CHECK(bonds == Approx(cells).epsilon(0.03));
+  CHECK(bonds == Approx(cells).epsilon(0.03));  // tips of the Galerkin plate four times as fine: 1.3 %
   CHECK(bonds > 1.4 * starts("ordinary", 0, 1, false));
   CHECK(starts("ordinary", 40, 0.1, true) == Approx(starts("ordinary", 40, 0.1, false)).epsilon(1e-9));
 }
