@@ -341,10 +341,10 @@ TEST_CASE("contact in motion: slow loads bring a damped plate to its equilibrium
 
 TEST_CASE("contact in motion: bonds and the Galerkin plate have the same factors in the first swing", "[in_plane]") {
   const auto swing = [](const std::string& formulation) {
-    return Run(
-        formulation, "[analysis]\nkind = \"dynamic\"\nduration = 0.0015\n",
-        {"geometry.outline={rectangle=[0.0,0.0,2.0,1.0]}", "geometry.cracks=[[[0.6,0.5],[1.4,0.5]]]",
-         "load[0].history=ramp", "load[0].rise_time=0.0005", "load[1].history=ramp", "load[1].rise_time=0.0005"});
+    return Run(formulation, "[analysis]\nkind = \"dynamic\"\nduration = 0.0015\n",
+               {"output.history_every=0.0005", "geometry.outline={rectangle=[0.0,0.0,2.0,1.0]}",
+                "geometry.cracks=[[[0.6,0.5],[1.4,0.5]]]", "load[0].history=ramp", "load[0].rise_time=0.0005",
+                "load[1].history=ramp", "load[1].rise_time=0.0005"});
   };
   const Run bonds = swing("ordinary"), cells = swing("galerkin");
   for (const std::size_t which : {0, 1}) {
@@ -357,8 +357,8 @@ TEST_CASE("contact in motion: bonds and the Galerkin plate have the same factors
 TEST_CASE("contact in motion: bonds whose crack stays open move as without contact", "[in_plane]") {
   const auto pulled = [](const std::string& contact) {
     return Run("ordinary", "[analysis]\nkind = \"dynamic\"\nstart = \"equilibrium\"\nduration = 0.001\n",
-               {"cracks.contact=" + contact, "load[0].value=1", "load[0].history=ramp", "load[0].rise_time=0.0005",
-                "load[1].value=3000"});
+               {"output.history_every=0.0001", "cracks.contact=" + contact, "load[0].value=1", "load[0].history=ramp",
+                "load[0].rise_time=0.0005", "load[1].value=3000"});
   };
   const Run closing = pulled("true"), open = pulled("false");
   CHECK(closing.summary.contact->largest_pressure == 0);
