@@ -174,10 +174,15 @@ std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& 
   const auto find_all = [&]() -> Eigenvectors {
     try {
       return find(modes);
-    } catch (const NumericalError&) {  // there may be fewer, and nothing to find beside them
-      const auto count = Factor::of_any_sign(softest).negative();
-      if (count >= modes) throw;
-      return find(count);
+    } catch (const NumericalError&) {
+      // there may be fewer, or far larger negative ones hide them: with a shift below the first factor these stay small
+      double shift = beyond / largest;
+      while (!is_positive(K + shift * K_g)) shift /= 2;
+      auto found =
+          largest_eigenvectors(Matrix(-K_g), K + shift * K_g, std::min(modes, Factor::of_any_sign(softest).negative()),
+                               tolerance, "buckling", plate.constraints());
+      found.values = found.values.cwiseQuotient((1 + shift * found.values.array()).matrix());
+      return found;
     }
   };
   const auto [inverse_factors, vectors, solutions] = find_all();

@@ -188,6 +188,15 @@ TEST_CASE("buckling: a plate in tension has no load at which it buckles", "[in_p
   }
 }
 
+TEST_CASE("buckling: short waves across a large tension are found", "[in_plane]") {
+  const auto found = modes_of(loaded(1, 0.01, SupportKind::simply_supported_hard, {1, -0.01, 0}, 20), 3);
+  REQUIRE(found.size() == 3);
+  for (const auto& mode : found) CHECK(mode.residual < 1e-6);
+  CHECK(found[0].factor > 0);
+  CHECK(found[0].factor <= found[1].factor);
+  CHECK(found[1].factor <= found[2].factor);
+}
+
 TEST_CASE("buckling: frequencies go to zero with the load", "[in_plane]") {
   constexpr double N_cr = 3.9443864;
   for (const double share : {-0.5, 0.9, -2.0}) {  // of the buckling load; below zero in tension
