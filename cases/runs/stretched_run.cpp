@@ -41,7 +41,7 @@ bool is_constant(const plate::TimedLoad& load) {
   return load.history.kind == plate::History::Kind::constant;
 }
 
-/// The loads that are constant, or those that grow.
+/// The loads that are constant, or those that grow, beside which the constant ones act.
 plate::PlateLoads loads_of(const plate::Formulation& plate, const plate::Formulation& membrane, bool constant) {
   plate::PlateLoads result{plate::zero_forces(plate.points()), plate::zero_forces(plate.points())};
   std::vector<double> shares;
@@ -50,6 +50,13 @@ plate::PlateLoads loads_of(const plate::Formulation& plate, const plate::Formula
     result.across += shares[i] * plate.loads()[i].forces, result.in_plane += shares[i] * membrane.loads()[i].forces;
   }
   result.heat = plate::stiffness_of_heat(membrane, plate::heat_of(membrane, shares));
+  if (!plate::heated(plate.problem())) return result;
+  result.stored = [&, constant](double share, const plate::State& bending, const plate::State& in_plane) {
+    std::vector<double> now;
+    for (const auto& load : plate.loads()) now.push_back(is_constant(load) == constant ? share : constant ? 0 : 1);
+    return plate::stored(plate, plate::heat_of(plate, now), bending) +
+           plate::stored(membrane, plate::heat_of(membrane, now), in_plane);
+  };
   return result;
 }
 

@@ -177,6 +177,14 @@ PlateLoads by_factor(const PlateLoads& loads, const State& bending) {
   return result;
 }
 
+/// Energy that heat in the plane stores by the deflections under a share of the loads.
+double stored_by_deflections(const Formulation& plate, const PlateLoads& loads, double share, const State& bending) {
+  const auto of = [&](const PlateLoads& some) {
+    return some.heat.points() > 0 ? work(plate, product(some.heat, bending), bending) / 2 : 0;
+  };
+  return share * of(loads) + (loads.constant ? of(*loads.constant) : 0);
+}
+
 /// Integral of one function over another between the ends of a step, of both cubic in its length; `by`: derivatives.
 double integral(const std::array<double, 2>& of, const std::array<double, 2>& of_by, const std::array<double, 2>& over,
                 const std::array<double, 2>& over_by, double length) {
@@ -484,6 +492,14 @@ struct StretchedPlate::Path {
   std::size_t unstable_modes = 0;
   double length = 0;        // so far
   Eigen::Index point = -1;  // whose deflection is told; -1: nothing has deflected
+
+  /// With what heat stores.
+  double strain_energy(const Formulation& plate) const {
+    const double strained = now.bending_energy + now.membrane_energy;
+    return !loads->stored ? strained
+                          : strained + loads->stored(factor, now.bending, now.membrane) +
+                                stored_by_deflections(plate, *loads, factor, now.bending);
+  }
 };
 
 /// Finds how the plate goes on from where it is.
@@ -532,9 +548,9 @@ bool StretchedPlate::advance(Path& path, const LargeDeflectionOptions& options, 
     result.iterations += step.iterations;
     if (!found) continue;
     step.largest_deflection = largest_deflection(plate_, next.bending);
-    step.strain_energy = next.bending_energy + next.membrane_energy;
     const Path before = path;
     path.now = std::move(next), path.factor = step.factor;
+    step.strain_energy = path.strain_energy(plate_);
     look_ahead(path);
     step.stable = path.stable;
     path.work += work_between(before, path) + work_of_constant(before, path);
@@ -654,7 +670,7 @@ void StretchedPlate::add_step(Path& path, LoadStep& step, LargeDeflections& resu
   const auto deflections = path.now.bending.row(0);
   step.factor = path.factor, step.stable = path.stable, step.arc_length = path.length;
   step.unstable_modes = path.unstable_modes;
-  step.strain_energy = path.now.bending_energy + path.now.membrane_energy;
+  step.strain_energy = path.strain_energy(plate_);
   step.largest_deflection = deflections.cwiseAbs().maxCoeff();
   if (path.point < 0 && step.largest_deflection > 0) deflections.cwiseAbs().maxCoeff(&path.point);
   if (path.point >= 0) step.deflection = deflections[path.point];
@@ -756,9 +772,7 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
     result.coupling_energy = -now.on_bending.bottomRows(2).cwiseProduct(now.bending.bottomRows(2)).sum();
     result.membrane_energy -= result.coupling_energy;
   }
-  for (const auto* some : {&loads, loads.constant})
-    if (some && some->heat.points() > 0)
-      result.stored_by_deflections += work(plate_, product(some->heat, now.bending), now.bending) / 2;
+  result.stored_by_deflections = stored_by_deflections(plate_, loads, 1, now.bending);
   result.factor_bytes = path.bytes;
   if (contact_) {
     const Eigen::VectorXd openings = contact_->rows().openings(now.bending, now.membrane);

@@ -23,9 +23,9 @@ struct LoadStep {
   std::size_t iterations = 0;
   double residual = 0;            // relative to the load
   double largest_deflection = 0;  // |w| of any point [length]
-  double strain_energy = 0;
-  bool stable = true;    // the stiffness is positive there
-  bool snapped = false;  // on the way from the step before it was not
+  double strain_energy = 0;       // with what heat stores
+  bool stable = true;             // the stiffness is positive there
+  bool snapped = false;           // on the way from the step before it was not
   // of a path by arc length
   double arc_length = 0;           // along the path from where the constant loads act alone
   double deflection = 0;           // w of the point that deflects most in the first row of the path [length]
@@ -102,6 +102,8 @@ struct PlateLoads {
   Forces across, in_plane;
   PointMatrix heat = {};                 // stiffness_of_heat() of the heat among those in the plane
   const PlateLoads* constant = nullptr;  // loads that act in full before these grow, and with them; null: none
+  /// stored() of both at a share of these loads, beside the constant ones; empty where no heat acts.
+  std::function<double(double share, const State& bending, const State& membrane)> stored = {};
 };
 
 /// Stretching::stiffness_of_heat of the heat of a plate in its plane; without points where there is none.

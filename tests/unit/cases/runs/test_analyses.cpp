@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/driver/run.hpp"
 #include "cases/runs/outputs.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/discretised.hpp"
@@ -51,6 +52,27 @@ TEST_CASE("analyses: what was good is kept where the numbers fail") {
   CHECK_THROWS_AS(once.run(), plate::NumericalError);
   CHECK(once.has("history"));
   CHECK_THAT(once.in_memory.summary, Catch::Contains("\"outcome\": \"failed: "));
+}
+
+TEST_CASE("analyses: the last load step has the strain energy of the summary, with what heat stores") {
+  const std::string hot = "{kind='temperature',mean=25,expression='60'", press = "{kind='pressure',value=2}";
+  const auto loads =
+      GENERATE_COPY("load=[" + hot + "}," + press + "]", "load=[" + hot + ",constant=true}," + press + "]", "-load");
+  std::vector<std::string> settings{"section.thermal_expansion=2e-3",
+                                    "discretization.spacing=0.2",
+                                    "-geometry.cracks",
+                                    "support[0].edges=['left','right','bottom','top']",
+                                    "support[0].in_plane='fixed'",
+                                    "analysis.nonlinear=true",
+                                    loads};
+  if (loads == "-load") settings.push_back("case=[{name='both',load=[" + hot + "}," + press + "]}]");
+  const auto file = read(plain, settings);
+  const auto summary = cases::run(file, {{}, true});
+  const auto& steps = summary.load_steps;
+  const double last = std::get<double>(steps.rows.at(steps.rows.size() - 1).at(steps.column("strain_energy")));
+  const double whole = loads == "-load" ? summary.load_cases.at(0).strain_energy : summary.energy.at(0).second;
+  CAPTURE(loads, last / whole - 1);
+  CHECK(last == Approx(whole).epsilon(1e-12));
 }
 
 TEST_CASE("analyses: frequencies, a frame for each") {
