@@ -331,6 +331,7 @@ void QuasiStaticTips::lay(const Start& start, const std::vector<double>& angles,
     if (moves_[i])
       ways[i] = fracture::advance(growth_, outline_, start.cracks, spacing_, tips[i], angles[i], long_leg, leg);
   }
+  end_at_longest(growth_, start.cracks, spacing_, tips, ways);
   meet(tips, ways);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (!ways[i]) continue;

@@ -247,6 +247,27 @@ void meet(const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipA
   }
 }
 
+void end_at_longest(const Growth& growth, const std::vector<geometry::Polyline>& cracks, double spacing,
+                    const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways) {
+  if (!growth.max_length) return;
+  std::vector<double> gone(cracks.size());
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    if (ways[i]) gone[tips[i].crack] += ways[i]->length;
+  const double room = shortest_leg * spacing;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (!ways[i]) continue;
+    const double left = *growth.max_length - geometry::length(cracks[tips[i].crack]);
+    const double share = left / gone[tips[i].crack];
+    if (!(share < 1)) continue;
+    auto& way = *ways[i];
+    const Point direction = (way.to - tips[i].position) / way.length;
+    const bool turned = std::abs(geometry::cross(tips[i].direction, direction)) > 1e-9;
+    const double length = std::min(way.length, std::max(share * way.length, turned ? room : 0));
+    if (way.reached && way.length - length < room) continue;
+    way = {tips[i].position + length * direction, length, {}};
+  }
+}
+
 bool touches_at_once(const TipAdvance& way, double spacing) {
   return way.reached && way.length <= touches * spacing;
 }

@@ -88,6 +88,11 @@ std::optional<TipAdvance> break_through(const geometry::Outline& outline, const 
 /// other's tip, as none is before the other; else where two ways cross.
 void meet(const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways);
 
+/// Ends ways where their crack comes to growth.max_length; the tips of a crack share what is left. A piece after a turn
+/// stays at least five spacings long, and one that reaches something keeps its way where no ring would fit before it.
+void end_at_longest(const Growth& growth, const std::vector<geometry::Polyline>& cracks, double spacing,
+                    const std::vector<geometry::Tip>& tips, std::vector<std::optional<TipAdvance>>& ways);
+
 /// True for a tip that stands on what it reaches: it has no way to go.
 bool touches_at_once(const TipAdvance& way, double spacing);
 

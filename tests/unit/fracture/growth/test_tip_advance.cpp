@@ -51,6 +51,25 @@ TEST_CASE("tip advance: a piece after a turn is five spacings long, and an incre
   CHECK(gone(1, 0.1 * degree, true).to.y() == 3);
 }
 
+TEST_CASE("tip advance: pieces end at the largest length of a crack, after a turn they are five spacings long") {
+  const std::vector<geometry::Polyline> free{{{2, 3}, {4, 3}}};
+  const std::vector<geometry::Tip> tips{{{4, 3}, {1, 0}, 0, true}, {{2, 3}, {-1, 0}, 0, false}};
+  Growth growth;
+  growth.increment = 8;
+  const auto gone_together = [&](double most, double angle) {
+    growth.max_length = most;
+    std::vector<std::optional<TipAdvance>> ways;
+    for (const auto& one : tips) ways.emplace_back(advance(growth, outline, free, spacing, one, angle, turns(angle)));
+    end_at_longest(growth, free, spacing, tips, ways);
+    return std::pair(ways[0]->length, (ways[1]->to - tips[1].position).norm());
+  };
+  CHECK(gone_together(5, 0) == std::pair(0.8, 0.8));
+  CHECK(gone_together(2.5, 0).first == Approx(0.25));
+  CHECK(gone_together(2.5, 0).second == Approx(0.25));
+  CHECK(gone_together(2.5, 30 * degree).first == Approx(5 * spacing));
+  CHECK(gone_together(3.2, 30 * degree).second == Approx(0.6));
+}
+
 TEST_CASE("tip advance: what lies within five spacings ahead of a piece is reached") {
   const geometry::Tip near{{5.3, 3}, {1, 0}, 0, true};
   auto way = gone(2.1, 0, false, near);

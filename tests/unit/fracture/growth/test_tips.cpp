@@ -122,6 +122,16 @@ TEST_CASE("quasi-static growth: the load follows the crack, and the energy goes 
   CHECK(std::abs(way.grown.ledger.released()) < 1e-4 * way.grown.ledger.fracture);  // trapezoids of a smooth curve
 }
 
+TEST_CASE("quasi-static growth: the last piece ends at the largest length") {
+  Growth growth;
+  growth.control = Growth::Control::equilibrium;
+  growth.max_length = 1.5, growth.increment = 7;  // of 0.01 each
+  const auto way = grown(growth, split_beam, 1);
+  CHECK(way.grown.outcome == "the largest length of a crack");
+  CHECK(way.grown.advances == 8);
+  CHECK(way.length.back() == Approx(1.5).epsilon(1e-12));
+}
+
 TEST_CASE("quasi-static growth: under load the crack jumps, and what it does not take is released") {
   const auto way = grown({}, split_beam, 1);
   CHECK_THAT(way.grown.outcome, Contains("the plate split: the crack reached the right edge"));
