@@ -143,8 +143,7 @@ std::vector<AxialElement> axial_elements(const Problem& problem, const geometry:
       const Point way = b.at - a.at, along = way.normalized();
       Sum pull, rise;
       add_slope(b, along, -1, pull), add_slope(a, along, 1, pull);  // (u, v) = -psi of the plane
-      for (const auto& [k, share] : b.shares) rise[dof(k, 0)] += share;
-      for (const auto& [k, share] : a.shares) rise[dof(k, 0)] -= share;
+      add_deflection(b, 1, rise), add_deflection(a, -1, rise);
       result.push_back({beam.axial / way.norm(), beam.eccentricity, way.norm(), terms_of(pull), terms_of(rise)});
     });
   }
@@ -167,26 +166,17 @@ std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tes
 
 ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const State& bending,
                                 const State& in_plane) {
-  std::vector<ElasticSupport> parts;
-  for (const auto& beam : problem.stiffeners) {
-    if (!beam.stretches()) continue;
-    ElasticSupportSum sum(cells.positions.size());
-    for_elements(beam, cells, [&](const Node& a, const Node& b) {
-      const Point way = b.at - a.at;
-      const double length = way.norm();
-      Sum slopes, deflections;
-      add_slope(b, way / length, 1, slopes), add_slope(a, way / length, -1, slopes);
-      add_deflection(b, 1, deflections), add_deflection(a, -1, deflections);
-      double longer = 0;  // slopes are minus displacements along the beam at z = 1
-      for (const auto& [at, factor] : slopes)
-        longer -= factor * (at_dof(in_plane, at) + beam.eccentricity * at_dof(bending, at));
-      std::vector<FormTerm> terms;
-      for (const auto& [at, factor] : deflections)
-        if (factor != 0) terms.push_back({at, factor});
-      sum.add(beam.axial * longer / (length * length), terms);
-    });
-    parts.push_back(std::move(sum).taken("axial force", std::nullopt, false));
+  const auto elements = axial_elements(problem, cells);
+  if (elements.empty()) return {};
+  ElasticSupportSum sum(cells.positions.size());
+  for (const auto& element : elements) {
+    double longer = 0;
+    for (const auto& [at, factor] : element.pull)
+      longer += factor * (at_dof(in_plane, at) + element.eccentricity * at_dof(bending, at));
+    sum.add(element.stiffness * longer / element.length, element.rise);
   }
+  std::vector<ElasticSupport> parts;
+  parts.push_back(std::move(sum).taken("axial force", std::nullopt, false));
   return ElasticSupports(std::move(parts));
 }
 
