@@ -267,7 +267,7 @@ Fields<Section> section_fields() {
                       "strain per temperature, of loads of kind = temperature"),
       number<Section>("density", "mass/length^3", &Section::density, positive,
                       "mass density; in statics of own weight alone")
-          .required({Analysis::Kind::dynamic, Analysis::Kind::frequencies, Analysis::Kind::harmonic}),
+          .standard("required in dynamics and frequencies and harmonic analyses, but where every ply has its own"),
       factor("thickness_factor", &Section::thickness_factor, "thickness").with(of_one),
       factor("young_factor", &Section::young_factor, "young").with(isotropic),
       tables<Section, SectionRegion>("regions", Layout::inline_, &Section::regions, region_fields(), check_region)
@@ -275,8 +275,25 @@ Fields<Section> section_fields() {
   };
 }
 
+namespace {
+
+/// Reports a density that is missed where the plate moves.
+void check_density(const Value& given, const Section& section) {
+  using enum Analysis::Kind;
+  auto& reading = given.reading();
+  const auto key = given.below("density");
+  const bool of_plies =
+      !section.plies.empty() && std::ranges::all_of(section.plies, [](const Ply& ply) { return bool(ply.density); });
+  if (of_plies || reading.given(key) || !reading.sound(given.below("plies"))) return;
+  if (reading.kind && Kinds{dynamic, frequencies, harmonic}.contains(*reading.kind))
+    reading.report_error(key, "is missing, must be a number > 0");
+}
+
+}  // namespace
+
 void check_section(const Value& given, Section& section) {
   auto& reading = given.reading();
+  check_density(given, section);
   if (!section.plies.empty()) section.thickness = 0;
   for (const auto& ply : section.plies) section.thickness += ply.thickness;
   if (section.orthotropic && !section.plies.empty())

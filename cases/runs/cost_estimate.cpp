@@ -107,7 +107,7 @@ double advances_of(const plate::Problem& problem, const fracture::Growth& growth
 double global_step(double free, const Case& c) {
   if (const auto& impact = c.impact) {
     const double spacing = c.discretization.spacing_at_tips();
-    const double point = c.section.density * c.section.thickness * spacing * spacing;
+    const double point = c.section.mass() * spacing * spacing;
     const double square = impact->stiffness * (1 / impact->mass + 1 / point);
     free = std::min(2 / std::sqrt(4 / (free * free) + square), 0.1 / std::sqrt(square));
   }

@@ -15,7 +15,9 @@ std::optional<std::size_t> resolve_weights(Problem& problem) {
   for (std::size_t i = 0; i < problem.loads.size(); ++i) {
     auto* pressure = problem.loads[i].as<Pressure>();
     if (!pressure || !pressure->gravity) continue;
-    if (!(section.density > 0)) return i;
+    const bool of_plies =
+        !section.plies.empty() && std::ranges::all_of(section.plies, [](const Ply& ply) { return bool(ply.density); });
+    if (!of_plies && !(section.density > 0)) return i;
     pressure->value = section.mass() * *pressure->gravity;
   }
   return std::nullopt;

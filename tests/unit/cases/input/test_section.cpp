@@ -57,6 +57,20 @@ TEST_CASE("sections of plies: their thickness is the plies', and those that are 
          "is used with one material over the thickness only");
 }
 
+TEST_CASE("sections of plies: the density of the section is missed only where a ply has none") {
+  const auto plies = [](const std::string& last) {
+    return "plies = [{ " + carbon + ", thickness = 0.1, density = 7 }, { " + carbon + ", thickness = 0.1" + last +
+           " }]";
+  };
+  const std::string weight = "load=[{kind='pressure',gravity=10}]";
+  const auto own = read(section(plies(", density = 7")), {weight}).content;
+  CHECK(own.loads[0].as<plate::Pressure>()->value == Approx(14));
+  expect(section(plies("")), ":1", "section.density", "is the plate's own weight", {weight});
+  const std::vector<std::string> modes{"analysis={kind='frequencies'}", "-load"};
+  CHECK(read(section(plies(", density = 7")), modes).content.section.mass() == Approx(1.4));
+  expect(section(plies("")), ":1", "section.density", "is missing, must be a number > 0", modes);
+}
+
 TEST_CASE("sections that vary are checked against the plate and its tips") {
   const auto region = [](const std::string& more) { return isotropic("regions = [{ " + more + " }]"); };
   CHECK(problems(region("on = { circle = [0.5, 0.5, 0.1] }, thickness = 0.2, density = 3")).empty());
