@@ -174,14 +174,17 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
       std::ranges::move(warnings_about_speeds(c, steps->grid.time_step), std::back_inserter(warnings));
       if (limit < 0.2 * free && steps->grid.steps > many_steps)
         warnings.push_back(fmt::format(
-            "{} steps: damping, an impact or a given motion shortens the stable step from {:.2g} to {:.2g}; "
-            "set formulation = \"galerkin\"",
-            steps->grid.steps, free, limit));
+            "{} steps: damping, an impact or a given motion shortens the stable step from {:.2g} to {:.2g}; set {}",
+            steps->grid.steps, free, limit,
+            c.growth ? "a larger discretization.spacing" : "formulation = \"galerkin\""));
     }
     stopwatch.lap("solve");
   }
-  if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty())
-    compare_under_pressure(*plate, c, warnings), stopwatch.lap("second_formulation");
+  if (c.analysis.kind != Analysis::Kind::static_ || !c.load_cases.empty()) {
+    const auto remedy = c.growth ? fmt::format("set discretization.spacing = {:.2g}", c.discretization.spacing / 2)
+                                 : std::string("set formulation = \"galerkin\"");
+    compare_under_pressure(*plate, c, warnings, remedy), stopwatch.lap("second_formulation");
+  }
   tip_methods = cases::tip_methods(file, *plate);
   if (membrane) membrane_methods = cases::tip_methods(file, *membrane);
   for (auto& one : post::warnings_about_ligaments(*plate)) warnings.push_back(std::move(one));

@@ -423,6 +423,19 @@ std::vector<KeyError> excluded(const Case& content, bool distributed) {
   return result;
 }
 
+bool may_stretch(Case content) {
+  using Kind = Analysis::Kind;
+  content.analysis.nonlinear = true;
+  return (content.analysis.kind == Kind::static_ || content.analysis.kind == Kind::dynamic) &&
+         plate::formulation_of(content.discretization).offers(plate::Feature::stretching) && excluded(content).empty();
+}
+
+bool may_break_bonds(Case content) {
+  content.growth->criterion = fracture::Growth::Criterion::bond_energy;
+  return plate::formulation_of(content.discretization).offers(plate::Feature::breaking_bonds) &&
+         excluded(content).empty();
+}
+
 std::string exclusion_list() {
   std::string text;
   for (const auto& [one, other, key, reason] : exclusions())

@@ -80,6 +80,11 @@ std::vector<Part> parts_of(const Case& content, bool distributed = false);
 /// The exclusions that a case meets, by its keys.
 std::vector<KeyError> excluded(const Case& content, bool distributed = false);
 
+/// True where a case would be accepted with large deflections.
+bool may_stretch(Case content);
+/// True where a case with growth would be accepted with bonds that break one by one.
+bool may_break_bonds(Case content);
+
 /// The exclusions, and what each formulation lacks, as two lists in Markdown.
 std::string exclusion_list();
 

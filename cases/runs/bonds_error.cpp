@@ -157,7 +157,7 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
 }
 
 void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
-                            std::vector<std::string>& warnings) {
+                            std::vector<std::string>& warnings, const std::string& remedy) {
   if (!of_bonds(bonds, problem) || !is_thin(problem) || !bonds.held() || bonds.may_move()) return;
   plate::Problem pressed = problem;
   const plate::Load pressure{plate::Pressure{.value = 1}};
@@ -180,7 +180,7 @@ void compare_under_pressure(const plate::Formulation& bonds, const plate::Proble
   if (std::abs(error->share) > told_deflection)
     warnings.push_back(
         fmt::format("under static pressure largest deflection of bonds is {} that of the Galerkin plate{}; {}",
-                    side_of(error->share), because(problem, error->share), galerkin_advice));
+                    side_of(error->share), because(problem, error->share), remedy));
 }
 
 }  // namespace cases

@@ -18,8 +18,8 @@ void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& 
                            std::vector<std::string>& warnings);
 
 /// Compares deflections under a uniform pressure in the same way, for plates that are thin, held and not solved at
-/// rest.
+/// rest. `remedy`: what to set.
 void compare_under_pressure(const plate::Formulation& bonds, const plate::Problem& problem,
-                            std::vector<std::string>& warnings);
+                            std::vector<std::string>& warnings, const std::string& remedy);
 
 }  // namespace cases

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "cases/input/compatibility.hpp"
 #include "cases/runs/analyses.hpp"
 #include "cases/runs/membrane.hpp"
 #include "cases/runs/outputs.hpp"
@@ -371,8 +372,14 @@ void LoadCases::find_equilibrium(post::LoadCaseSummary& one, LoadCaseState& now)
   auto& summary = this->summary();
   auto& about = summary.analysis;
   const auto& plane = *now.in_plane;
-  auto found = stretched_->equilibrium({now.load, plane.load, plate::stiffness_of_heat(*ready_.membrane, plane.heat)},
-                                       {content().analysis.tolerance, {}});
+  plate::PlateLoads loads{now.load, plane.load, plate::stiffness_of_heat(*ready_.membrane, plane.heat)};
+  if (plate::heated(plate_.problem()))
+    loads.stored = [&](double share, const plate::State& bending, const plate::State& in_plane) {
+      return share * share *
+             (plate::stored(plate_, now.heat, bending / share) +
+              plate::stored(*ready_.membrane, plane.heat, in_plane / share));
+    };
+  auto found = stretched_->equilibrium(loads, {content().analysis.tolerance, {}});
   stopwatch().lap("solve");
   one.large_deflections = true;
   one.iterations = found.iterations, one.residual = found.steps.empty() ? 0 : found.steps.back().residual;
@@ -633,7 +640,8 @@ void LoadCases::finish() {
                            .history = recorder.history(),
                            .reactions = {},
                            .factors = {},
-                           .stretches = content().stretches});
+                           .stretches = content().stretches,
+                           .may_stretch = may_stretch(content())});
   if (content().srif) outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods, *content().srif));
   outputs_.warn(said);
   outputs_.warn(warnings_);

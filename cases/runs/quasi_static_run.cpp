@@ -218,9 +218,11 @@ void QuasiStaticRun::finish() {
   if (outcome_.ended.how == fracture::End::not_resolved && !first_factor_ && factor_ > 0) first_factor_ = factor_;
   const bool solved = state_.cols() > 0;  // else there may be no plate
   if (solved && doubt_ > much)
-    warnings_.push_back(fmt::format("load factors are uncertain: by {} at advance {} (critical_load_factor_error); {}",
-                                    doubt_ >= 1 ? "100 % or more" : fmt::format("{:.0f} %", 100 * doubt_), doubtful_,
-                                    model_->plate().remedy()));
+    warnings_.push_back(
+        fmt::format("load factors are uncertain: by {} at advance {} (critical_load_factor_error); {}",
+                    doubt_ >= 1 ? "100 % or more" : fmt::format("{:.0f} %", 100 * doubt_), doubtful_,
+                    bonds_ ? fmt::format("set discretization.spacing = {:.2g}", content_.discretization.spacing / 2)
+                           : model_->plate().remedy()));
   warnings_.insert(warnings_.end(), model_->warnings().begin(), model_->warnings().end());
   for (auto& one : model_->record().cut_places(content_)) warnings_.push_back(std::move(one));
   const auto plane = solved ? in_plane() : std::nullopt;
@@ -237,8 +239,13 @@ void QuasiStaticRun::finish() {
   summary.formulation_reason = content_.formulation_reason;
   summary.analysis.kind = plate::Analysis::Kind::static_;
   post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), content_.analysis.tolerance);
-  post::conclude(summary,
-                 {content_.section, content_.srif, content_.si(), outputs_->recorder().history(), reactions_, latest_});
+  post::conclude(summary, {.section = content_.section,
+                           .options = content_.srif,
+                           .si = content_.si(),
+                           .history = outputs_->recorder().history(),
+                           .reactions = reactions_,
+                           .factors = latest_,
+                           .may_stretch = false});
   if (plane) {
     if (!content_.faces_touch()) outputs_->warn(warnings_about_overlaps(latest_, true));
     summary.membrane = plane->summary, summary.contact = tips_->contact(factor_);

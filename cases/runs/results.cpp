@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/input/compatibility.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "fracture/growth/growth.hpp"
 #include "fracture/growth/moving_growth.hpp"
@@ -168,7 +169,12 @@ post::Cracks Results::finish_growth() {
                                        outcome.largest_speed,
                                        outcome.broken,
                                        outcome.lengths};
-  outputs_.warn(fracture::warnings_about_spent_energy(*content().growth, outcome, content().section, remedy()));
+  auto spent = fracture::warnings_about_spent_energy(*content().growth, outcome, content().section, remedy());
+  const std::string by_bonds = "set `criterion` = \"bond_energy\"";
+  for (auto& line : spent)
+    if (line.ends_with(by_bonds) && !may_break_bonds(content()))
+      line.replace(line.size() - by_bonds.size(), by_bonds.size(), "set smaller loads");
+  outputs_.warn(spent);
   outputs_.warn(fracture::warnings_about_directions(outcome, remedy()));
   outputs_.warn(record.cut_places(content()));
   summary.energy.emplace_back("fracture", growth_->fracture_energy());
@@ -205,7 +211,8 @@ void Results::finish() {
                            .history = history,
                            .reactions = reactions_,
                            .factors = factors_.last(),
-                           .stretches = content().stretches});
+                           .stretches = content().stretches,
+                           .may_stretch = may_stretch(content())});
   if (!growth_)
     post::look_for_largest(summary, section, fracture::of_all(plate_, extremes_.found()), times_, factors_.rows());
   const auto at_time = [](double time) { return fmt::format("t = {:.4g}", time); };

@@ -198,12 +198,13 @@ void conclude(Summary& summary, Found found) {
     summary.deflection_over_thickness = *w / found.section.thickness;
     if (summary.linear_theory_off) {
       if (const auto said = error_of_linear_theory(summary); found.si && !said.empty())
-        summary.warnings.push_back(said + "; set `nonlinear` = true");
+        summary.warnings.push_back(said + (found.may_stretch ? "; set `nonlinear` = true" : "; set smaller loads"));
     } else if (found.si && !found.stretches && *summary.deflection_over_thickness > small_deflection) {
       summary.warnings.push_back(fmt::format(
           "largest deflection is {:.2g} x thickness, {:.3g} m; linear plate theory is reliable up to about {:g}; check "
-          "units, or set `nonlinear` = true",
-          *summary.deflection_over_thickness, *w, small_deflection));
+          "units, or set {}",
+          *summary.deflection_over_thickness, *w, small_deflection,
+          found.may_stretch ? "`nonlinear` = true" : "smaller loads"));
     }
   }
 }

@@ -84,6 +84,7 @@ struct Found {
   const ReactionRows& reactions;
   std::vector<Srif> factors;  // at the end
   bool stretches = false;     // the middle plane, with the deflections
+  bool may_stretch = true;    // `nonlinear` = true would be accepted
 };
 
 /// Sets what summaries of all runs say alike: factors, at the faces too, reactions, the largest deflection, and warns

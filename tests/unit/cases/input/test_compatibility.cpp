@@ -202,3 +202,23 @@ TEST_CASE("every pair of parts is refused for the reason in the table, or for no
     CHECK((tried.contains(row.one) || row.one == tips_in_motion));
   }
 }
+
+TEST_CASE("compatibility: large deflections and bonds that break are advised where they are accepted") {
+  const auto may_stretch = [](const std::vector<std::string>& settings) {
+    return cases::may_stretch(read(plain, settings).content);
+  };
+  CHECK(may_stretch({}));
+  CHECK_FALSE(may_stretch({"foundation=[{modulus=1,lifts_off=true}]"}));
+  CHECK_FALSE(may_stretch({"discretization.formulation=ordinary", "discretization.boundary=surface_nodes"}));
+  const std::vector<std::string> moving{"analysis={kind='dynamic',duration=1}", "section.density=1"};
+  CHECK(may_stretch(moving));
+  auto settings = moving;
+  settings.emplace_back("analysis.damping={stiffness=1}");
+  CHECK_FALSE(may_stretch(settings));
+  settings = moving;
+  settings.emplace_back("growth={fracture_energy=1}");
+  CHECK_FALSE(may_stretch(settings));
+  CHECK(cases::may_break_bonds(read(plain, settings).content));
+  settings.emplace_back("load=[{kind='edge_traction',edges=['right'],value=1},{kind='pressure',value=1}]");
+  CHECK_FALSE(cases::may_break_bonds(read(plain, settings).content));
+}

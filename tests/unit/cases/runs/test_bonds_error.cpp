@@ -104,13 +104,13 @@ TEST_CASE("bonds against the Galerkin plate: other analyses of thin plates are c
   const auto plate = vp::assembled(c);
   auto warnings = estimated_errors(*plate);
   REQUIRE(warnings.size() == 2);
-  cases::compare_under_pressure(*plate, c, warnings);
+  cases::compare_under_pressure(*plate, c, warnings, "refine");
   REQUIRE(warnings.size() == 2);  // stress stays foretold
   CHECK_THAT(warnings[1], Catch::Contains("under static pressure"));
   CHECK(said(warnings, "under static pressure") < -0.5);  // measured: -0.93
   c.section.thickness = 0.2;
   const auto thick = vp::assembled(c);
   std::vector<std::string> none;
-  cases::compare_under_pressure(*thick, c, none);
+  cases::compare_under_pressure(*thick, c, none, "refine");
   CHECK(none.empty());
 }
