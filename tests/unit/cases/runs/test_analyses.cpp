@@ -67,7 +67,8 @@ TEST_CASE("analyses: the last load step has the strain energy of the summary, wi
                                     loads};
   if (loads == "-load") settings.push_back("case=[{name='both',load=[" + hot + "}," + press + "]}]");
   const auto file = read(plain, settings);
-  const auto summary = cases::run(file, {{}, true});
+  post::ResultsInMemory in_memory;
+  const auto summary = cases::run(file, {{}, true, &in_memory});
   const auto& steps = summary.load_steps;
   const double last = std::get<double>(steps.rows.at(steps.rows.size() - 1).at(steps.column("strain_energy")));
   const double whole = loads == "-load" ? summary.load_cases.at(0).strain_energy : summary.energy.at(0).second;
