@@ -152,9 +152,10 @@ void for_each_place(const Shape& patch, const CellRing& cell, const Visit& visit
       return visit(middle + whole.first / whole.area, whole.area);
     }
   for (std::size_t i = 0; i < piece.size(); ++i) {
-    const Point &a = piece[i], &b = piece[(i + 1) % piece.size()];
-    for (const Point& x : {Point((a + b) / 2), Point((b + middle) / 2), Point((middle + a) / 2)})
-      if (area(i) > 0) visit(x, area(i) / 3);
+    const auto before = (i + piece.size() - 1) % piece.size();
+    const double outside = area(i), inside = area(i) + area(before);
+    if (outside > 0) visit(Point((piece[i] + piece[(i + 1) % piece.size()]) / 2), outside / 3);
+    if (inside > 0) visit(Point((piece[i] + middle) / 2), inside / 3);  // of both triangles beside it
   }
 }
 
