@@ -15,6 +15,7 @@
 #include "plate/model/support_validation.hpp"
 #include "plate/solve/motion/initial_conditions.hpp"
 #include "plate/solve/motion/stretched_motion.hpp"
+#include "plate/solve/motion/time_grid.hpp"
 #include "plate/solve/validation.hpp"
 #include "post/factors/plate_factors.hpp"
 
@@ -169,9 +170,14 @@ Prepared::Prepared(CaseFile wanted, const plate::Communicator& communicator) : f
       const double rotary = c.analysis.rotary_inertia;
       const double free =
           membrane ? plate::stable_time_step(*plate, *membrane, rotary) : plate::stable_time_step(*plate, rotary);
-      const double limit = plate::stable_step(free, *plate, c.analysis, begin);
+      const auto [limit, relaxation] = plate::damped_step(free, *plate, c.analysis, begin);
       steps = {limit, time_grid(file, limit)};
+      steps->grid.relaxation = relaxation;
       std::ranges::move(warnings_about_speeds(c, steps->grid.time_step), std::back_inserter(warnings));
+      if (relaxation > 0)
+        warnings.push_back(fmt::format(
+            "damping by the stiffness is exact to 1 % below the frequency {:.3g} only; set analysis.time_step = {:.3g}",
+            plate::exact_below(*c.analysis.damping), plate::stable_step(free, *plate, c.analysis, begin)));
       if (limit < 0.2 * free && steps->grid.steps > many_steps)
         warnings.push_back(fmt::format(
             "{} steps: damping, an impact or a given motion shortens the stable step from {:.2g} to {:.2g}; set {}",

@@ -218,21 +218,22 @@ void SinglePlate::solve_by_lanczos() {
 /// Saves a motion by steps.
 void SinglePlate::save(const plate::MotionCheckpoint& now) {
   const auto save_state = [&](plate::OutArchive& archive) {
-    archive(now, now.earlier.cols() > 0);
+    archive(now, now.earlier.cols() > 0, now.relaxing.cols() > 0);
     results_.save(archive);
     if (growth_) growth_->save(archive);
   };
   checkpoints_->save(save_state, [&] {
-    return own_values(plate_.boundary(), {&now.state, &now.velocity, &now.earlier, &results_.state_of_largest()});
+    return own_values(plate_.boundary(), {&now.state, &now.velocity, &now.earlier, &now.relaxing, &now.relaxing_force,
+                                          &results_.state_of_largest()});
   });
 }
 
 /// Restores the motion that was found; none where none was.
 std::optional<plate::MotionCheckpoint> SinglePlate::restored() {
   plate::MotionCheckpoint result;
-  bool has_earlier = false;
+  bool has_earlier = false, relaxes = false;
   const bool found = checkpoints_->restore([&](plate::InArchive& archive) {
-    archive(result, has_earlier);
+    archive(result, has_earlier, relaxes);
     results_.restore(archive);
     if (growth_) growth_->restore(archive);
   });
@@ -246,6 +247,7 @@ std::optional<plate::MotionCheckpoint> SinglePlate::restored() {
   };
   std::vector<RestoredState> states{{&result.state, impose}, {&result.velocity}};
   if (has_earlier) states.push_back({&result.earlier});
+  if (relaxes) states.insert(states.end(), {{&result.relaxing}, {&result.relaxing_force}});
   states.push_back({&results_.state_of_largest(), impose_and_lift});
   put_values(plate_.boundary(), checkpoints_->parts(), states);
   return result;
@@ -269,6 +271,7 @@ void SinglePlate::solve_dynamic() {
   options.velocity = ready_.begin.velocity, options.impact = ready_.begin.impact, options.given = ready_.begin.given;
   if (const auto& damping = analysis_.damping)
     options.mass_damping = damping->mass, options.stiffness_damping = damping->stiffness;
+  options.relaxation = grid.relaxation;
   if (analysis_.precision == Analysis::Precision::mixed) options.single = plate_.single_precision();
   if (growth_) options.changes = &growth_->changes();
   options.held_forces = true;

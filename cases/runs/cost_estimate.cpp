@@ -111,7 +111,7 @@ double global_step(double free, const Case& c) {
     const double square = impact->stiffness * (1 / impact->mass + 1 / point);
     free = std::min(2 / std::sqrt(4 / (free * free) + square), 0.1 / std::sqrt(square));
   }
-  return c.analysis.damping ? plate::stable_step(free, *c.analysis.damping) : free;
+  return c.analysis.damping ? plate::damped_step(free, *c.analysis.damping, c.analysis.duration).limit : free;
 }
 
 void set_motion(const Case& c, RunEstimate& result, const post::Samples& found) {

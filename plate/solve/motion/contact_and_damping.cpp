@@ -81,28 +81,48 @@ double stable_step(double free, const Impactor& impactor, const Constraints& con
 ContactAndDamping::ContactAndDamping(const DynamicOptions& options, const State& state)
     : damping_{options.mass_damping, options.stiffness_damping},
       time_step_(options.time_step),
+      relaxation_(options.stiffness_damping > 0 ? options.relaxation : 0),
       kept_(options.save),
       faces_(options.faces, options.from ? options.from->contact : ContactMemory{}) {
   const auto* from = options.from;
   if (from) earlier_ = from->earlier, dissipated_ = from->dissipated;
+  if (from && relaxation_ > 0) relaxing_ = from->relaxing, viscous_ = from->relaxing_force;
   if (options.impact)
     contact_ = from ? ImpactContact(*options.impact, from->impactor_state) : ImpactContact(*options.impact, state);
 }
 
 void ContactAndDamping::find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of) {
-  if (damping_.stiffness > 0) {
+  if (relaxation_ > 0)
+    relax(velocity, force, force_of);
+  else if (damping_.stiffness > 0) {
     if (before_.size() == 0)
       before_ = earlier_.size() > 0 ? force_of(earlier_) : Forces(force - time_step_ * force_of(velocity));
     viscous_ = damping_.stiffness / time_step_ * (force - before_);
     before_ = force;
-    if (kept_) earlier_ = state;
   }
+  if (damping_.stiffness > 0 && kept_) earlier_ = state;
   if (contact_ || faces_.any()) pressed_.setZero(force.rows(), force.cols());
   if (contact_) contact_->press(state, pressed_);
 }
 
-void ContactAndDamping::add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const {
-  if (viscous_.size() > 0) held += constraints.on_held(viscous_);
+void ContactAndDamping::relax(const State& velocity, const Forces& force, const ForceOf& force_of) {
+  if (before_.size() == 0 && earlier_.size() > 0) before_ = force_of(earlier_);
+  if (before_.size() == 0) {  // at time 0 nothing is strained yet
+    relaxing_ = zero_like(velocity), viscous_ = zero_like(force), before_ = force;
+    return;
+  }
+  const double lasts = std::exp(-time_step_ / relaxation_), comes = damping_.stiffness * (1 - lasts);
+  relaxing_ = lasts * relaxing_ + comes * velocity;
+  viscous_ = lasts * viscous_ + comes / time_step_ * (force - before_);
+  before_ = force;
+}
+
+void ContactAndDamping::add_on_held(const Constraints& constraints, const ForceOf& force_of,
+                                    Eigen::VectorXd& held) const {
+  if (relaxation_ > 0)
+    held += constraints.on_held(force_of(relaxing_));
+  else if (viscous_.size() > 0)
+    held += constraints.on_held(viscous_);
 }
 
 void ContactAndDamping::fold(const Constraints& constraints) {
@@ -117,6 +137,7 @@ void ContactAndDamping::move(double share) {
 
 void ContactAndDamping::save(MotionCheckpoint& memory) const {
   memory.earlier = earlier_, memory.dissipated = dissipated_, memory.contact = faces_.memory();
+  if (relaxation_ > 0) memory.relaxing = relaxing_, memory.relaxing_force = viscous_;
   if (contact_) memory.impactor_state = contact_->impactor_state();
 }
 

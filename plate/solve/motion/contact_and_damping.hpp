@@ -61,10 +61,15 @@ public:
   double viscous(Eigen::Index i) const { return viscous_.size() > 0 ? viscous_.data()[i] : 0; }
   double force(Eigen::Index i) const { return viscous(i) + (pressed_.size() > 0 ? pressed_.data()[i] : 0); }
   double dissipated() const { return dissipated_; }
+  /// By what damping strains the plate beside the state, on free degrees of freedom, and a factor. `velocity`: as in
+  /// find().
+  std::pair<State, double> strains_by(const State& velocity) const {
+    return relaxation_ > 0 ? std::pair(relaxing_, 1.0) : std::pair(velocity, damping_.stiffness);
+  }
 
   /// `force`: internal, not folded; `velocity`: half a step before, at step 0 that of time 0.
   void find(const State& state, const State& velocity, const Forces& force, const ForceOf& force_of);
-  void add_on_held(const Constraints& constraints, Eigen::VectorXd& held) const;
+  void add_on_held(const Constraints& constraints, const ForceOf& force_of, Eigen::VectorXd& held) const;
   void fold(const Constraints& constraints);
   /// Finds the forces between faces of cracks under all others, and adds them to the folded ones.
   void press_faces(const MovingFaces::FreeStep& step) { faces_.press(step, pressed_); }
@@ -73,12 +78,16 @@ public:
   void save(MotionCheckpoint& memory) const;
 
 private:
+  /// The damping force in a step that relaxes: q = r q + beta (1 - r) / dt (change of the force) (theory (84a)).
+  void relax(const State& velocity, const Forces& force, const ForceOf& force_of);
+
   Damping damping_;
-  double time_step_;
+  double time_step_, relaxation_;
   bool kept_;  // true where its state is to be saved
   std::optional<ImpactContact> contact_;
   MovingFaces faces_;
-  State earlier_;  // of the step before
+  State earlier_;   // of the step before
+  State relaxing_;  // where the force relaxes: by what it strains the plate
   Forces before_, viscous_, pressed_;
   double dissipated_ = 0;
 };

@@ -83,11 +83,11 @@ Instant seen(const Step& now, const Values<Real>& force, double work, const Mass
     result.discrete_kinetic_energy += contact->discrete_kinetic(half, dt);
     result.contact_force = contact->contact_force(half);
   }
-  if (const double beta = contact_and_damping.damping().stiffness; beta > 0)
-    result.strained = [&constraints, &now_state = now.state, &velocity = now.velocity, beta] {
-      State change = velocity;
+  if (contact_and_damping.damping().stiffness > 0)
+    result.strained = [&constraints, &contact_and_damping, &now] {
+      auto [change, factor] = contact_and_damping.strains_by(now.velocity);
       constraints.impose(change);
-      return State(now_state + beta * change);
+      return State(now.state + factor * change);
     };
   return result;
 }
@@ -189,18 +189,20 @@ std::optional<Eigen::VectorXd> find_forces(const InternalForce& internal_force, 
                                            const DrivenSupports& driven, const Step& now, PendingExchange* rest,
                                            bool on_held, Values<Real>& force, ContactAndDamping& contact_and_damping) {
   internal_force(now.state, rest, force);
-  if constexpr (std::is_same_v<Real, double>)
-    if (contact_and_damping.acts())
-      contact_and_damping.find(now.state, now.velocity, force, [&](State of) {
-        PendingExchange rest_of(constraints, of);
-        if (driven.any() && now.step > 0)  // the state of the step before
-          rest_of.complete(), driven.place(of, double(now.step - 1) * now.time_step);
-        Forces result;
-        internal_force(of, &rest_of, result);
-        return result;
-      });
   std::optional<Eigen::VectorXd> held;
-  if (on_held) held = constraints.on_held(force), contact_and_damping.add_on_held(constraints, *held);
+  if (on_held) held = constraints.on_held(force);
+  if constexpr (std::is_same_v<Real, double>) {
+    const auto force_of = [&](State of) {
+      PendingExchange rest_of(constraints, of);
+      if (driven.any() && now.step > 0)  // the state of the step before
+        rest_of.complete(), driven.place(of, double(now.step - 1) * now.time_step);
+      Forces result;
+      internal_force(of, &rest_of, result);
+      return result;
+    };
+    if (contact_and_damping.acts()) contact_and_damping.find(now.state, now.velocity, force, force_of);
+    if (held) contact_and_damping.add_on_held(constraints, force_of, *held);
+  }
   return held;
 }
 

@@ -113,11 +113,12 @@ struct MotionCheckpoint {
   std::vector<double> driven = {}, travelling = {};  // of supports that move, of loads that do
   double given = 0;                                  // what else began the motion [energy]
   State earlier = {};                                // of the step before, where the stiffness damps
+  State relaxing = {}, relaxing_force = {};          // where its force relaxes: by what it strains, and folded
   double dissipated = 0;
   ImpactorState impactor_state = {};
   ContactMemory contact = {};
 
-  /// Archives what all ranks know: not state, velocity and earlier, whose values go with the points.
+  /// Archives what all ranks know: not state, velocity, earlier and what relaxes, whose values go with the points.
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(step, loads, work, before, driven, travelling, given, dissipated);
@@ -143,6 +144,7 @@ struct DynamicOptions {
   double given = 0;     // what it took to begin with, beside the work of the loads [energy]
   /// alpha and beta of a damping, in double precision, of plates that do not change [1/time, time].
   double mass_damping = 0, stiffness_damping = 0;
+  double relaxation = 0;  // of the force of stiffness_damping [time], where no support moves; 0: none (theory (84a))
   std::optional<Impactor> impact = {};  // likewise
   std::vector<char> own = {};           // owned points; empty: all
   /// Checkpoint from which the motion continues, with the numbers that it would have had; none: it begins at time 0.

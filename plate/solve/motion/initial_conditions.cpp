@@ -15,6 +15,7 @@
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/contact_and_damping.hpp"
 #include "plate/solve/motion/time_grid.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 
 namespace plate {
 namespace {
@@ -118,6 +119,15 @@ BeginOfMotion begin_of_motion(const Formulation& plate, double rotary) {
 double stable_step(double free, const Formulation& plate, const Analysis& analysis, const BeginOfMotion& begin) {
   if (begin.impact) free = stable_step(free, *begin.impact, plate.constraints(), plate.mass(analysis.rotary_inertia));
   return analysis.damping ? stable_step(free, *analysis.damping) : free;
+}
+
+DampedStep damped_step(double free, const Formulation& plate, const Analysis& analysis, const BeginOfMotion& begin) {
+  const double exact = stable_step(free, plate, analysis, begin);
+  if (!analysis.damping || has_prescribed_displacements(plate)) return {exact};
+  if (analysis.time_step && *analysis.time_step <= exact) return {exact};
+  Analysis undamped = analysis;
+  undamped.damping.reset();
+  return damped_step(stable_step(free, plate, undamped, begin), *analysis.damping, analysis.duration);
 }
 
 }  // namespace plate

@@ -8,6 +8,7 @@ namespace plate {
 
 class Formulation;
 struct Analysis;
+struct DampedStep;
 
 /// A deflection with which no plate begins: it jumps, or is not zero where a support holds it.
 class Jumps : public std::domain_error {
@@ -24,5 +25,7 @@ BeginOfMotion begin_of_motion(const Formulation& plate, double rotary);
 
 /// The stable step of a plate with damping and contact, `free` being its own.
 double stable_step(double free, const Formulation& plate, const Analysis& analysis, const BeginOfMotion& begin);
+/// The same, with damping that may relax: not where supports move, nor where the given time step needs none of it.
+DampedStep damped_step(double free, const Formulation& plate, const Analysis& analysis, const BeginOfMotion& begin);
 
 }  // namespace plate

@@ -86,4 +86,19 @@ double stable_step(double undamped, const Damping& damping) {
   return damping.mass > 0 ? std::min(stable, 0.1 / damping.mass) : stable;
 }
 
+DampedStep damped_step(double undamped, const Damping& damping, double duration) {
+  constexpr double shrinks = 2;
+  const double exact = stable_step(undamped, damping), shortest = undamped / shrinks;
+  if (stable_step(undamped, {0, damping.stiffness}) >= shortest) return {exact};
+  if (exact_below(damping) * duration < 1) return {exact};
+  const double limit = damping.mass > 0 ? std::min(shortest, 0.1 / damping.mass) : shortest;
+  if (limit <= exact) return {exact};
+  return {limit, damping.stiffness / (shrinks * shrinks - 1)};
+}
+
+double exact_below(const Damping& damping) {
+  constexpr double ratio = 0.12;  // by the stiffness: frequencies 2/3 of its square too high
+  return ratio / (std::numbers::pi * damping.stiffness);
+}
+
 }  // namespace plate

@@ -17,6 +17,7 @@ Damping damping_of(const std::array<double, 2>& ratios, const std::array<double,
 struct TimeGrid {
   double time_step;
   std::size_t steps, steps_per_row;  // rows of history, probes and intensity factors
+  double relaxation = 0;             // DampedStep
 };
 
 /// Options of a time grid.
@@ -36,5 +37,17 @@ TimeGrid row_grid(const GridOptions& options);
 /// own is `undamped`: omega^2 (dt^2 + 2 beta dt) = 4 (theory (84)). With alpha dt at most 0.1: the first half step
 /// of a plate that begins with a velocity takes (alpha dt / 2)^2 of its energy without booking it.
 double stable_step(double undamped, const Damping& damping);
+
+/// Stable step of a damped motion [time], and the time in which the force of stiffness-proportional damping relaxes; 0:
+/// it follows the velocity.
+struct DampedStep {
+  double limit, relaxation = 0;
+};
+
+/// Half of the undamped step or more: where stable_step() is shorter, the force relaxes in beta / 3 (theory (84a)). Not
+/// where a period of exact_below() is longer than the duration.
+DampedStep damped_step(double undamped, const Damping& damping, double duration);
+/// Frequency below which damping that relaxes has the ratios, and modes their frequencies, to 1 % [1/time].
+double exact_below(const Damping& damping);
 
 }  // namespace plate

@@ -22,7 +22,9 @@ TEST_CASE("Lanczos vectors: a plate that nothing holds is refused") {
   CHECK(summary.analysis.method == "central_difference");
 }
 
-TEST_CASE("stiffness damping: Lanczos vectors are chosen where they are to be had, else many steps are told of") {
+TEST_CASE(
+    "stiffness damping: Lanczos vectors are chosen where they are to be had, else many steps are told of, or it "
+    "relaxes") {
   const std::vector<std::string> damped{"analysis.damping={mass=0, stiffness=0.2}", "discretization.spacing=0.1"};
   const cases::Prepared motion(case_text::read(probed_motion(), damped));
   CHECK(motion.file.content.analysis.method == cases::Analysis::Method::lanczos);
@@ -40,6 +42,13 @@ TEST_CASE("stiffness damping: Lanczos vectors are chosen where they are to be ha
   const cases::Prepared many(case_text::read(probed_motion(), steps));
   CHECK(many.steps->grid.steps > 100000);
   CHECK_THAT(many.warnings.back(), Catch::Contains("shortens the stable step"));
+  steps.back() = "analysis.damping={mass=0, stiffness=0.01}";
+  const cases::Prepared relaxing(case_text::read(probed_motion(), steps));
+  steps.back() = "analysis.damping={mass=1, stiffness=0}";
+  const cases::Prepared undamped(case_text::read(probed_motion(), steps));
+  CHECK(relaxing.steps->limit == Approx(undamped.steps->limit / 2));
+  CHECK(relaxing.steps->grid.relaxation == Approx(0.01 / 3));
+  CHECK_THAT(relaxing.warnings.back(), Catch::Contains("set analysis.time_step"));
 }
 
 TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to take steps are refused") {
@@ -93,13 +102,14 @@ TEST_CASE("prepared: a load so fast that steps miss points is told, with a speed
 }
 
 TEST_CASE("prepared: reactions of a damped motion balance its loads from the start on") {
-  std::string text = probed_motion("damping = { mass = 5.0 }\n");
+  const std::string stiffness = GENERATE("0.0", "0.01");  // the second relaxes
+  std::string text = probed_motion("damping = { mass = 5.0, stiffness = " + stiffness + " }\n");
   text.replace(text.find("kind = \"clamped\""), 16, "kind = \"simply_supported\"");
   const small_run::TemporaryFolder folder;
   const auto summary =
       cases::run(case_text::read(text, {"discretization.spacing=0.1", "discretization.formulation=ordinary", "-srif",
                                         "geometry.cracks=[]", "support[0].edges=['left','right','bottom','top']",
-                                        "initial.velocity='cos(1.5*x)*cos(1.5*y)'", "analysis.duration=0.02"}),
+                                        "initial.velocity='cos(1.5*x)*cos(1.5*y)'", "analysis.duration=0.4"}),
                  {folder.path(), true});
   REQUIRE(summary.reactions);
   CHECK(summary.reactions->largest_residual < 1e-10);  // measured: 3e-14; 0.014 before at the start

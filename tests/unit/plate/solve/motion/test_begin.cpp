@@ -2,6 +2,7 @@
 
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/analysis.hpp"
+#include "plate/solve/motion/time_grid.hpp"
 #include "tests/catch.hpp"
 #include "tests/verification/verified_plate.hpp"
 
@@ -51,6 +52,11 @@ TEST_CASE("a motion begins with an expression, its slopes, and the energies of b
     CHECK(stable_step(free, *plate, analysis, {}) == free);
     analysis.damping = Damping{0, 2e-3};
     CHECK(stable_step(free, *plate, analysis, {}) == Approx(std::hypot(2e-3, 1e-3) - 2e-3));
+    analysis.duration = 1;
+    CHECK(damped_step(free, *plate, analysis, {}).limit == free / 2);
+    CHECK(damped_step(free, *plate, analysis, {}).relaxation == Approx(2e-3 / 3));
+    analysis.time_step = 1e-4;  // needs no relaxation
+    CHECK(damped_step(free, *plate, analysis, {}).relaxation == 0);
     c.initial->velocity = Formula("1 / (x - 0.0625)");
     if (kind == &ordinary) CHECK_THROWS_AS(begin_of_motion(*vp::assembled(c), 1), FormulaError);
   }

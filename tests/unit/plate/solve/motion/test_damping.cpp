@@ -30,6 +30,14 @@ struct Single {
   }
 };
 
+/// The same, which begins with its velocity alone and stiffness-proportional damping that relaxes.
+DynamicOptions relaxing(const Single& s, double beta, double relaxation, double time_step, std::size_t steps) {
+  DynamicOptions options{time_step, steps, std::max<std::size_t>(1, steps / 60)};
+  options.mass_damping = 0.1, options.stiffness_damping = beta, options.relaxation = relaxation;
+  options.velocity = s.moving, options.given = 0.25 * 0.49;
+  return options;
+}
+
 /// y of y'' + drag y' + 4 y = 0 by tiny steps of fourth order, and the integral of mass drag y'^2.
 std::array<double, 2> integrated(double drag, double end) {
   constexpr int steps = 200000;
@@ -141,10 +149,68 @@ TEST_CASE("damping: the stable step of steps whose stiffness damps, and no longe
     }
 }
 
+TEST_CASE("damping: a force that relaxes leaves half of the undamped step, and no longer one") {
+  const Single s;
+  CHECK(damped_step(1, {0.1, 0.01}, 1e9).relaxation == 0);
+  CHECK(damped_step(1, {0.1, 4}, 0.9 / exact_below({0.1, 4})).relaxation == 0);
+  CHECK(damped_step(1, {0.1, 0.01}, 1e9).limit == stable_step(1, {0.1, 0.01}));
+  CHECK(damped_step(1, {10, 4}, 1e9).limit == Approx(0.01));  // by the mass
+  for (const double beta : {1.0, 4.0, 1e3}) {
+    const auto [limit, relaxation] = damped_step(1, {0.1, beta}, 1e9);
+    CHECK(limit == 0.5);
+    CHECK(relaxation == Approx(beta / 3));
+    for (const double share : {0.999, 1.1}) {  // tanh(x) / x of the bound: 1.03 at beta = 1
+      auto options = relaxing(s, beta, relaxation, share * limit, 2000);
+      options.start = s.at, options.bent = true;
+      double last = 0;
+      try {
+        central_differences(s.chain, s.constraints, s.mass, {}, options,
+                            [&](const Instant& now) { last = std::abs(now.state(0, 0)); });
+      } catch (const NumericalError&) {
+        last = 1e300;
+      }
+      CAPTURE(beta, share, last);
+      CHECK((share < 1 ? last < 0.3 : last > 1));
+    }
+  }
+}
+
+TEST_CASE("damping: a force that relaxes moves and dissipates as its equations say, and its energies close") {
+  const Single s;
+  for (const double ratio : {0.02, 0.12, 0.5}) {
+    const double beta = ratio, tau = beta / 3;  // ratio = beta omega / 2, omega = 2
+    std::array<double, 4> y{0, -0.7, 0, 0};     // y, y', strain beside it, loss; tau s' + s = beta y'
+    constexpr std::size_t steps = 40000;
+    const double end = 5, dt = end / steps;
+    const auto rate = [&](const std::array<double, 4>& x) {
+      return std::array<double, 4>{x[1], -0.1 * x[1] - 4 * (x[0] + x[2]), (beta * x[1] - x[2]) / tau,
+                                   0.05 * x[1] * x[1] + 2 * x[2] * x[1]};
+    };
+    for (std::size_t n = 0; n < steps; ++n) {
+      const auto first = rate(y);
+      auto middle = y;
+      for (std::size_t i = 0; i < 4; ++i) middle[i] += dt / 2 * first[i];
+      const auto slope = rate(middle);
+      for (std::size_t i = 0; i < 4; ++i) y[i] += dt * slope[i];
+    }
+    double last = 0, dissipated = 0, strained = 0;
+    std::vector<double> energies;
+    central_differences(s.chain, s.constraints, s.mass, {}, relaxing(s, beta, tau, dt, steps), [&](const Instant& now) {
+      last = now.state(0, 0), dissipated = now.dissipated, strained = now.strained()(0, 0) - last;
+      energies.push_back(now.strain_energy + now.discrete_kinetic_energy + now.dissipated - now.external_work);
+    });
+    CAPTURE(ratio);
+    CHECK(last == Approx(y[0]).margin(1e-4));
+    CHECK(strained == Approx(y[2]).margin(1e-4));
+    CHECK(dissipated == Approx(y[3]).epsilon(1e-3));
+    for (const double energy : energies) CHECK(std::abs(energy - energies[0]) < 1e-11);  // exact but for rounding
+  }
+}
+
 TEST_CASE("damping: a motion that goes on from what it remembers has the same numbers") {
   const Single s;
-  DynamicOptions options{0.05, 60, 10};
-  options.mass_damping = 0.1, options.stiffness_damping = 0.2, options.velocity = s.moving, options.given = 0.1;
+  auto options = relaxing(s, 0.2, GENERATE(0.0, 0.06), 0.05, 60);
+  options.observe_every = 10;
   std::vector<std::array<double, 4>> whole, rest;
   std::optional<MotionCheckpoint> kept;
   std::size_t asked = 0;
