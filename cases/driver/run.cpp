@@ -159,6 +159,7 @@ post::Table fatigue(const std::filesystem::path& folder, const ParisLaw& law, do
           "cycles are counted by the bending stress at the face, and membrane forces act here too: tips.csv "
           "has K1, K2, K3, N1 and N2 along the way"}});
   say_doubts_of_growth(folder);
+  if (c.units == "SI") post::say("units: length in m, K_range in Pa m^1/2, coefficient in m / (Pa m^1/2)^exponent\n");
   try {
     return fatigue(post::read_csv(folder / "growth.csv"), post::read_csv(folder / "tips.csv"), c.section, law, load,
                    ratio);
