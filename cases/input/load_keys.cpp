@@ -160,7 +160,9 @@ const Words<SupportKind> support_kinds{{{"clamped", SupportKind::clamped},
 const Words<InPlane> in_plane_words{{{"free", InPlane::free},
                                      {"fixed", InPlane::fixed},
                                      {"normal", InPlane::normal},
-                                     {"tangential", InPlane::tangential}}};
+                                     {"tangential", InPlane::tangential},
+                                     {"x", InPlane::x},
+                                     {"y", InPlane::y}}};
 
 Words<Load::Action> load_kinds() {
   Words<Load::Action> result;
@@ -409,7 +411,8 @@ Fields<Support> support_fields() {
           .with(hub),
       value<Support>(
           {"in_plane", "-", "one of " + in_plane_words.text(), "free, of kind symmetry normal, of kind in_plane fixed",
-           "which displacements are held in the plane: both, or on edges that along the normal or the edge"},
+           "which displacements are held in the plane: both, of edges that along the normal or the edge, of points, "
+           "lines and parts u (\"x\") or v (\"y\")"},
           [](const Value& given, Support& support) {
             if (const auto text = given.text()) support.in_plane = in_plane_words.find(given, *text);
           },

@@ -72,6 +72,34 @@ std::vector<std::string> warnings_about_pins(const plate::Formulation& membrane,
   return result;
 }
 
+/// A warning of two points next to each other whose forces in the plane oppose: they hold the strain between them,
+/// which no engineer means where they are to hold the plate against rigid motions alone.
+std::vector<std::string> warnings_about_opposed_pins(const plate::Formulation& membrane,
+                                                     const std::vector<post::MembraneSummary::Reaction>& reactions,
+                                                     const plate::Forces& load) {
+  constexpr double near = 0.1, small = 0.05, alike = 0.5;  // of the plate's size, a point's load, the larger force
+  const auto [low, high] = geometry::bounding_box(membrane.problem().outline);
+  const double least = small * plate::largest_of(membrane, load.bottomRows(2).cwiseAbs().maxCoeff());
+  const auto& holders = membrane.boundary().holders;
+  const auto force = [&](const plate::Holder& holder) -> std::optional<geometry::Point> {
+    const auto found = std::ranges::find(reactions, holder.name, &post::MembraneSummary::Reaction::name);
+    if (holder.place != plate::Holder::Place::point || !holder.position || found == reactions.end()) return {};
+    return found->force;
+  };
+  for (auto one = holders.begin(); one != holders.end(); ++one)
+    for (auto other = holders.begin(); other != one; ++other) {
+      const auto pulls = force(*one), against = force(*other);
+      if (!pulls || !against || (*one->position - *other->position).norm() > near * (high - low).norm()) continue;
+      const double most = std::max(pulls->norm(), against->norm());
+      if (most < least || (*pulls + *against).norm() > alike * most) continue;
+      return {
+          fmt::format("{} and {} pull at each other with {:.2g}: they hold the strain between them; set in_plane = "
+                      "\"x\" or \"y\" at one",
+                      other->name, one->name, most)};
+    }
+  return {};
+}
+
 }  // namespace
 
 MembraneResult membrane_results(const plate::Formulation& membrane, const plate::State& state,
@@ -110,6 +138,8 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   const auto& stiffness = damaged ? static_cast<const plate::Operator&>(*damaged) : membrane;
   summary.reactions = reactions_of(membrane, stiffness, state, load);
   for (const auto& line : warnings_about_pins(membrane, summary.reactions, result.factors))
+    result.warnings.push_back(of_plane(line));
+  for (const auto& line : warnings_about_opposed_pins(membrane, summary.reactions, load))
     result.warnings.push_back(of_plane(line));
   return result;
 }

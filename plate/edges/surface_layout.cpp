@@ -11,6 +11,7 @@
 #include "plate/bonds/visibility.hpp"
 #include "plate/edges/multiplied_plate.hpp"
 #include "plate/edges/outlines.hpp"
+#include "plate/formulation/support_constraints.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/space.hpp"
 
@@ -232,10 +233,9 @@ void hold(const SurfacePlate& plate, const std::vector<std::size_t>& side_of, Bo
   for (std::uint32_t pin = 0; pin < b.holders.size(); ++pin)
     if (const auto& at = b.holders[pin].position) {
       const auto k = std::uint32_t(geometry::nearest_plate_point(b.cloud, *at));
-      const bool clamps = b.holders[pin].kind == SupportKind::clamped;  // of a membrane alone
-      for (std::uint32_t c = 0; c < (clamps ? std::uint32_t(unknowns_per_point) : 1U); ++c)
-        b.constraints.fix(dof(k, c));
-      b.holds.push_back({k, pin, clamps});
+      const auto held = held_at_point(b.holders[pin].kind);  // more than the deflection of a membrane alone
+      for (const auto c : held) b.constraints.fix(dof(k, c));
+      b.holds.push_back({k, pin, held.size() > 1});
     }
 }
 

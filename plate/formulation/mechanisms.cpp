@@ -334,13 +334,13 @@ std::vector<Refusal> loose(const Formulation& plate) {
   const bool whole = plate.pieces().size() == 1, in_plane = plate.section().law == PlateLaw::membrane;
   for (const auto& piece : plate.pieces())
     if (piece.free_modes > 0)
-      result.push_back({whole ? Subject::support : Subject::cracks, 0,
-                        whole ? std::string("the plate is not held") + (in_plane ? " in its plane: " : ": ") +
-                                    free_motion(piece) +
-                                    (in_plane ? "; hold both displacements of an edge, or of two points"
-                                              : "; hold an edge, or pin three points not on one line")
-                              : "cracks cut the plate: " + free_motion(piece) +
-                                    (in_plane ? " in its plane; let a support hold it there" : "")});
+      result.push_back(
+          {whole ? Subject::support : Subject::cracks, 0,
+           whole ? std::string("the plate is not held") + (in_plane ? " in its plane: " : ": ") + free_motion(piece) +
+                       (in_plane ? "; hold both displacements of an edge, or of one point and \"x\" or \"y\" of another"
+                                 : "; hold an edge, or pin three points not on one line")
+                 : "cracks cut the plate: " + free_motion(piece) +
+                       (in_plane ? " in its plane; let a support hold it there" : "")});
   if (!result.empty()) return result;
   if (plate.distributed() && !plate.mechanisms().searched)
     result.push_back(

@@ -124,13 +124,26 @@ geometry::Polyline around(const geometry::Hole& shape, double spacing) {
 
 }  // namespace
 
+std::vector<std::uint32_t> held_at_point(SupportKind kind) {
+  switch (kind) {
+    case SupportKind::clamped:
+      return {0, 1, 2};
+    case SupportKind::u_alone:
+      return {0, 2};
+    case SupportKind::v_alone:
+      return {0, 1};
+    default:
+      return {0};
+  }
+}
+
 void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const SupportOffsets& moved) {
   const auto& by = boundary.holders[holder];
-  const bool clamps = by.kind == SupportKind::clamped;
-  for (std::uint32_t c = 0; c < (clamps ? std::uint32_t(unknowns_per_point) : 1U); ++c)
+  const auto held = held_at_point(by.kind);
+  for (const auto c : held)
     boundary.constraints.fix(dof(point, c), moved.inside(by.support, boundary.cloud.positions[point], c));
   boundary.holds.push_back({point, holder, false});
-  if (clamps) boundary.holds.push_back({point, holder, true});
+  if (held.size() > 1) boundary.holds.push_back({point, holder, true});
 }
 
 void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint32_t holder,
@@ -138,7 +151,7 @@ void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint3
   constexpr double nothing = 1e-9;  // spacings
   const Point lever = at - boundary.cloud.positions[k];
   const auto& by = boundary.holders[holder];
-  if (by.kind == SupportKind::clamped || lever.norm() < nothing * boundary.cloud.units.spacing)
+  if (held_at_point(by.kind).size() > 1 || lever.norm() < nothing * boundary.cloud.units.spacing)
     return hold_point(boundary, k, holder, moved);
   boundary.constraints.tie(dof(k, 0), {{dof(k, 1), -lever.y()}, {dof(k, 2), lever.x()}},
                            moved.inside(by.support, at, 0));

@@ -43,7 +43,11 @@ private:
 /// point next to it the value at the piece of the line that is next to the point, w + (x - x_k) . psi.
 void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const SupportOffsets& moved);
 
-/// Fixes w, and of a clamp the rotations, of a point for a holder.
+/// Components that a support of a point, a line or a part holds: w, and of a clamp the rotations; in the plane, where
+/// nothing acts on w, one of them or both.
+std::vector<std::uint32_t> held_at_point(SupportKind kind);
+
+/// Fixes what a holder holds of a point.
 void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const SupportOffsets& moved);
 
 /// Holds a place next to a point: w + (x - x_k) . psi is held there, or of a clamp the point itself.

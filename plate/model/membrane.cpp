@@ -13,6 +13,10 @@ SupportKind kind_in_plane(const Support& support) {
       return SupportKind::symmetry;
     case InPlane::tangential:
       return SupportKind::simply_supported_hard;
+    case InPlane::x:
+      return SupportKind::u_alone;
+    case InPlane::y:
+      return SupportKind::v_alone;
     case InPlane::free:
       break;
   }

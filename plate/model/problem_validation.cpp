@@ -147,8 +147,11 @@ void check_force(const Load& load, std::size_t number, const Problem& problem, s
   for (std::size_t i = 0; i < problem.supports.size(); ++i) {
     const auto& support = problem.supports[i];
     const auto& force = *load.as<PointForce>();
+    const auto holds = [&](InPlane axis) {
+      return support.held_in_plane() == InPlane::fixed || support.held_in_plane() == axis;
+    };
     const bool across = (force.value != 0 || !load.in_plane()) && !support.holds_nothing(),
-               along = force.vector != geometry::Point(0, 0) && support.held_in_plane() == InPlane::fixed;
+               along = (force.vector.x() != 0 && holds(InPlane::x)) || (force.vector.y() != 0 && holds(InPlane::y));
     if (!support.patch || !(across || along)) continue;
     const auto ring = geometry::Patch(*problem.supports[i].patch).ring();
     if (geometry::contains({{ring, std::vector<std::string>(ring.size())}, {}}, *position))
@@ -176,7 +179,7 @@ void check_hub(const Problem& problem, std::size_t i, std::vector<Refusal>& foun
                        fmt::format("\"{}\" is no round hole, which a hub would fill: give holes of circles", edge)});
   if (support.patch && !std::holds_alternative<geometry::Circle>(*support.patch))
     found.push_back({Subject::support_patch, i, "a hub is round: give on = { circle = [x, y, radius] }"});
-  if (support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential)
+  if (support.holds_one_way())
     found.push_back({Subject::support_in_plane, i, "a hub moves as one body: choose \"fixed\" or \"free\""});
   if (support.patch && support.k_phi && problem.stretches)
     found.push_back({Subject::support_patch, i,
@@ -210,11 +213,15 @@ void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& f
                                      text_of(point), c)});
   if (support.kind == SupportKind::in_plane && support.held_in_plane() == InPlane::free)
     found.push_back({Subject::support_in_plane, i, "\"free\" holds nothing: remove the support, or hold something"});
-  const bool one_way = support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential;
+  const bool by_edge = support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential;
   if (support.kind == SupportKind::hub)
     check_hub(problem, i, found);
-  else if (one_way && support.edges.empty())
-    found.push_back({Subject::support_in_plane, i, "edges alone have a normal: choose \"fixed\" or \"free\""});
+  else if (by_edge && support.edges.empty())
+    found.push_back(
+        {Subject::support_in_plane, i, "edges alone have a normal: choose \"x\", \"y\", \"fixed\" or \"free\""});
+  else if (support.holds_one_way() && !by_edge && !support.edges.empty())
+    found.push_back({Subject::support_in_plane, i,
+                     "edges are held along themselves: choose \"normal\", \"tangential\", \"fixed\" or \"free\""});
   check_along(support.along, {Subject::support_line, i, ""}, problem.outline, found);
   check_line(support.along, {Subject::support_line, i, ""}, problem, found);
   check_patch(support.patch, {Subject::support_patch, i, "the support lies"}, problem.outline, found);

@@ -20,6 +20,11 @@ InPlane Support::held_in_plane() const {
   return kind == SupportKind::in_plane ? InPlane::fixed : InPlane::free;
 }
 
+bool Support::holds_one_way() const {
+  const auto held = held_in_plane();
+  return held != InPlane::free && held != InPlane::fixed;
+}
+
 Held held_by(SupportKind kind) {
   using enum SupportKind;
   switch (kind) {
@@ -38,6 +43,8 @@ Held held_by(SupportKind kind) {
     case free:
     case pinned:
     case in_plane:
+    case u_alone:
+    case v_alone:
       break;
   }
   return {};

@@ -20,11 +20,14 @@ enum class SupportKind {
   simply_supported_hard_layer,  // w = psi_s = 0 in that layer
   pinned,                       // w = 0 at single points, along lines or on parts of the plate
   in_plane,                     // nothing but what InPlane says
-  hub                           // a rigid disc whose centre is held: in a hole, or on a part of the plate
+  hub,                          // a rigid disc whose centre is held: in a hole, or on a part of the plate
+  u_alone,                      // of a plate in its plane: points, lines and parts that hold u
+  v_alone
 };
 
-/// Displacements that a support holds in the plane: none, both, or that along the normal or along the edge.
-enum class InPlane { free, fixed, normal, tangential };
+/// Displacements that a support holds in the plane: none, both, of edges that along the normal or the edge, of points,
+/// lines and parts that along an axis.
+enum class InPlane { free, fixed, normal, tangential, x, y };
 
 /// A support of named edges; or within the plate, pinned (w) or clamped (w and rotations), of single points, of a line
 /// or of a part. One of the four is given. A hub is of round holes, each of them a disc, or of one circle of the plate.
@@ -44,6 +47,8 @@ struct Support {
   /// True where it holds nothing across the plane.
   bool holds_nothing() const { return kind == SupportKind::free || kind == SupportKind::in_plane; }
   bool holds_edges() const { return !holds_nothing() && !edges.empty(); }
+  /// True of one displacement in the plane.
+  bool holds_one_way() const;
   /// True where it holds a line or a part of the plate.
   bool holds_inside() const { return !along.empty() || patch; }
 };

@@ -254,6 +254,56 @@ TEST_CASE("in the plane: a pin whose force changes the factors of a tip near it 
   CHECK(said({0, -0.45}) == 0);
 }
 
+TEST_CASE("in the plane: points, lines and parts hold u or v alone", "[in_plane]") {
+  for (const bool bonds : {false, true}) {
+    CAPTURE(bonds);
+    auto c = bonds ? of_bonds(pulled(1, 0.8, 0, 0.05, {1, 0, 0}), 0.05) : pulled(1, 0.8, 0, 0.05, {1, 0, 0});
+    c.srif.reset(), c.supports.clear();
+    for (const auto held : {InPlane::fixed, InPlane::y}) {
+      c.supports.push_back(vp::held(SupportKind::in_plane, {}));
+      c.supports.back().in_plane = held;
+      c.supports.back().points = {held == InPlane::fixed ? Point(0.025, 0.025) : Point(0.325, 0.025)};
+    }
+    const auto free = solved(c);
+    for (const auto& one : free.summary.reactions) CHECK(one.force.norm() < 1e-8);
+    CHECK(free.warnings.empty());
+    c.supports[1].in_plane = InPlane::fixed;
+    CHECK(solved(c).summary.reactions[1].force.norm() > 0.01);
+  }
+  // a line that holds u lets a strip contract along it
+  auto c = pulled(1, 0.8, 0, 0.05, {1, 0, 0});
+  c.srif.reset(), c.supports.clear();
+  c.loads = {traction({"b"}, {1, 0, 0})};
+  for (const auto held : {InPlane::x, InPlane::y}) {
+    c.supports.push_back(vp::held(SupportKind::in_plane, {}));
+    c.supports.back().in_plane = held;
+  }
+  c.supports[0].along = {{-0.5, -0.4}, {-0.5, 0.4}}, c.supports[1].points = {{-0.5, 0}};
+  const auto found = solved(c);
+  CHECK(found.summary.reactions[0].force.x() == Approx(-0.8));
+  CHECK(std::abs(found.summary.reactions[0].force.y()) < 1e-8);
+  CHECK(found.summary.reactions[1].force.norm() < 1e-8);
+}
+
+TEST_CASE("in the plane: two points that hold the strain between them are told", "[in_plane]") {
+  const auto said = [](std::vector<Point> points, double strain) {
+    auto c = pulled(1, 1, 0, 0.05, {0, 1, 0});
+    c.cracks.clear(), c.srif.reset(), c.supports.clear();
+    c.loads = {traction({"a", "c"}, {0, strain, 0})};
+    c.supports.push_back(vp::held(SupportKind::in_plane, {}));
+    c.supports.back().points = std::move(points);
+    if (strain == 0) {
+      c.loads = {{BodyForce{{0, 1}}}};
+      c.supports.push_back(vp::held(SupportKind::in_plane, {"a"}));
+    }
+    return std::ranges::count_if(solved(c).warnings,
+                                 [](const auto& one) { return one.find("pull at each other") != one.npos; });
+  };
+  CHECK(said({{0.02, 0.02}, {0.02, 0.07}}, 1) == 1);
+  CHECK(said({{-0.45, -0.5}, {0.45, -0.5}}, 1) == 0);  // far apart: corners of a plate on two bearings
+  CHECK(said({{0.02, 0.42}, {0.02, 0.47}}, 0) == 0);   // both carry the weight
+}
+
 TEST_CASE("bonds in the plane: uniform stress has its energy but for a layer beside the edges", "[in_plane]") {
   for (const auto& [N, most] : std::vector<std::pair<std::array<double, 3>, double>>{
            {{1, 0, 0}, 0.012}, {{1, 1, 0}, 0.010}, {{0, 0, 1}, 0.005}}) {  // measured: 0.88, 0.75, 0.31 %
