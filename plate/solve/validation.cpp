@@ -86,6 +86,25 @@ void check_memory(const Formulation& plate, const Analysis& analysis, Validation
              spacing, plate.points(), bytes / 1e9, there / 1e9, spacing * std::sqrt(bytes / there))});
 }
 
+/// Warns of temperatures that strain a section beyond small strains: most often an expansion without its power of ten.
+void check_thermal_strain(const Formulation& plate, Validation& result) {
+  constexpr double small = 0.05;
+  const auto& problem = plate.problem();
+  const auto& section = problem.section;
+  double expansion = section.expands_by_plies() ? 0 : std::abs(section.thermal_expansion);
+  for (const auto& ply : section.plies)
+    for (const auto& alpha : {ply.alpha1, ply.alpha2})
+      expansion = std::max(expansion, std::abs(alpha.value_or(section.thermal_expansion)));
+  double strain = 0;
+  for (const auto& load : problem.loads)
+    if (const auto* heat = load.as<Temperature>())
+      strain = std::max({strain, expansion * std::abs(heat->mean), expansion * std::abs(heat->value) / 2});
+  if (strain > small)
+    result.warnings.push_back(fmt::format(
+        "temperatures strain the plate by {:.2g}, beyond small strains; set {}", strain,
+        section.expands_by_plies() ? "a smaller alpha1 or alpha2 of its plies" : "a smaller `thermal_expansion`"));
+}
+
 }  // namespace
 
 Validation validate(const Formulation& plate, const Analysis& analysis) {
@@ -95,6 +114,7 @@ Validation validate(const Formulation& plate, const Analysis& analysis) {
   check_held(plate, analysis, result);
   check_two_level(plate, analysis, result);
   check_memory(plate, analysis, result);
+  check_thermal_strain(plate, result);
   return result;
 }
 

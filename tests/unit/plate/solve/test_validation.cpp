@@ -37,6 +37,18 @@ TEST_CASE("suitability: a plate that its analysis cannot have is refused for wha
   CHECK(refused(many) == std::vector{Subject::modes});
 }
 
+TEST_CASE("suitability: temperatures that strain a plate beyond small strains are told") {
+  const auto told = [](const std::string& expansion, const std::string& load) {
+    const auto c = read(plain, {"discretization.spacing=0.1", "section.thermal_expansion=" + expansion, load}).content;
+    const auto warnings = plate::validate(*plate::discretise(c).plate, c.analysis).warnings;
+    return std::ranges::count_if(warnings,
+                                 [](const auto& one) { return one.find("beyond small strains") != one.npos; });
+  };
+  CHECK(told("12e-6", "load=[{kind=\"temperature\", value=40}]") == 0);
+  CHECK(told("12", "load=[{kind=\"temperature\", value=40}]") == 1);
+  CHECK(told("12", "load=[{kind=\"temperature\", value=0, mean=40}]") == 1);
+}
+
 TEST_CASE("suitability: four cells across, and enough thickness for single precision") {
   const std::vector<std::string> moving{"section.density=1", "discretization.formulation=ordinary"};
   CHECK(errors(moving, 0.5).empty());
