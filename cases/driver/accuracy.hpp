@@ -39,6 +39,11 @@ std::unique_ptr<Prepared> to_accuracy(const CaseFile& file, bool quiet);
 std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const RunOptions& options,
                                                      std::vector<std::string>& warnings);
 
+/// Results of a case at rest or of its frequencies by other points, by which their errors are estimated: those of bonds
+/// by the Galerkin plate, others with twice the spacing. Absent, with a warning, where no such plate can be had.
+std::optional<post::OtherResults> other_results(const CaseFile& file, const RunOptions& options,
+                                                std::vector<std::string>& warnings);
+
 /// Runs a case in its folder and returns the intensity factors of all rows, or of all load cases and combinations.
 std::vector<std::vector<post::Srif>> factors_of_run(const Prepared& prepared, const RunOptions& options);
 

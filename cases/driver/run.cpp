@@ -29,8 +29,15 @@
 namespace cases {
 namespace {
 
+void look_at_errors(Prepared& prepared, const RunOptions& options) {
+  if (!prepared.file.content.wants_errors()) return;
+  prepared.other_results = other_results(prepared.file, options, prepared.warnings);
+  prepared.stopwatch.lap("errors");
+}
+
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
   const auto prepared = to_accuracy(file, options.quiet);
+  look_at_errors(*prepared, options);
   const RunPlan plan{prepared->file.content, options};
   Outputs outputs(plan, recording(plan).recorder, prepared->stopwatch);
   prepared->stopwatch.lap("output");
@@ -99,6 +106,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     second.reset();
     stopwatch.lap("second_formulation");
   }
+  look_at_errors(prepared, options);
   auto summary = run(prepared, outputs, checkpoints.get());
   if (checkpoints) checkpoints->done();
   return summary;

@@ -20,6 +20,7 @@ using plate::Analysis;
 /// Output of a run beside its tables, and its intervals.
 struct Output {
   bool vtk = true, hdf5 = true;
+  bool errors = true;           // of results at rest and of frequencies, from a second run with other points
   std::optional<bool> report;   // absent: where fields are written
   std::optional<double> every;  // dynamic: time between frames; absent: first and last only
   std::optional<double>
@@ -45,6 +46,11 @@ struct Case : plate::Problem {
   /// True where the middle plane is solved for a given deflection: at rest, or at the begin of a motion.
   bool stretches_at_first() const { return stretches && (!moves() || (initial && initial->deflection.given())); }
   bool si() const { return units == "SI"; }
+  /// True of results whose errors are estimated from another run.
+  bool wants_errors() const {
+    return output.errors && !growth && analysis.control != plate::LoadControl::arc_length &&
+           (analysis.kind == Analysis::Kind::static_ || analysis.kind == Analysis::Kind::frequencies);
+  }
 };
 
 /// A case together with the file that it is from.

@@ -223,7 +223,8 @@ CaseFile in_other_formulation(const CaseFile& file) {
   c.analysis.precision = Analysis::Precision::double_;
   if (c.analysis.method == Analysis::Method::lanczos) c.analysis.method = Analysis::Method::central_difference;
   c.output.vtk = c.output.hdf5 = false;
-  c.srif->second_formulation = c.srif->richardson = false;
+  if (c.srif) c.srif->second_formulation = c.srif->richardson = false;
+  c.output.errors = false;
 
   Reading reading("");
   reading.found().places = file.source.places;

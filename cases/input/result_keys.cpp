@@ -164,6 +164,10 @@ Fields<Output> output_fields() {
       number<O>("checkpoint_every", "s", &O::checkpoint_every, {0, 86400},
                 "time of the clock between checkpoints of a motion by steps or a quasi-static growth, from which "
                 "run --resume goes on; longer where they would take more than 1 % of the run; 0: none"),
+      boolean<O>("errors", &O::errors,
+                 "estimate the errors of deflections, stresses, reactions and frequencies from a second run with other "
+                 "points, which takes about a tenth of the time of the first")
+          .used_in({Analysis::Kind::static_, Analysis::Kind::frequencies}),
       probes().used_in({Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::harmonic}),
   };
 }

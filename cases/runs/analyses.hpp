@@ -7,6 +7,7 @@
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/summary.hpp"
+#include "post/report/errors_of_results.hpp"
 
 namespace plate {
 struct BucklingMode;
@@ -39,7 +40,8 @@ struct ValidatedPlate {
   std::optional<plate::LanczosMotion> motion;
   std::vector<std::vector<post::Srif>> factors;  // at all times: of each tip what all sizes tend to, then of this plate
   std::vector<post::Srif> factors_in_plane;      // of a plate at rest: N1 and N2 as K1 and K2, among `factors` too
-  std::optional<post::AccuracySummary> accuracy;  // of the search for its discretisation
+  std::optional<post::AccuracySummary> accuracy;         // of the search for its discretisation
+  std::optional<post::OtherResults> other_results = {};  // where errors of results are wanted
 };
 
 /// Runs a plate as the plan of the outputs says: by load cases, at rest, in motion, for its frequencies or its harmonic

@@ -69,7 +69,7 @@ void Outputs::warn(std::vector<std::string> warnings) {
 
 void Outputs::open(const plate::Formulation& plate) {
   place_probes(plate);
-  if (!takes_frames()) return;
+  if (!recorder_.draws() && !recorder_.stores()) return;
   const auto mesh = recorder_.draws() || plan_.reports() ? plate.mesh() : post::points_of(plate);
   drawing_ = owned_mesh(plate, mesh);
   if (!drawing_ && plan_.reports()) pictures_.open(mesh);
@@ -82,6 +82,8 @@ void Outputs::row(const post::Sample& sample, const plate::Formulation& plate) {
 
 void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh,
                     const plate::State& velocity) {
+  if (takes_values()) values_.push_back(post::values_at(probes_, frame, plate.boundary()));
+  if (!recorder_.draws() && !recorder_.stores()) return;
   if (mesh) drawing_ = owned_mesh(plate, *mesh);
   if (drawing_) {
     if (mesh) mesh = drawing_->mesh();
@@ -130,7 +132,21 @@ void name_settings_by_keys(post::Summary& summary) {
 
 }  // namespace
 
+bool Outputs::takes_values() const {
+  return !probes_.empty() && content().analysis.kind == Analysis::Kind::static_ && !content().growth;
+}
+
+/// Gives the summary the values at probes, and errors to all.
+void Outputs::set_errors() {
+  if (!values_.empty() && summary_.load_cases.empty()) summary_.probes = values_.back();
+  for (std::size_t i = 0; i < std::min(values_.size(), summary_.load_cases.size()); ++i)
+    summary_.load_cases[i].probes = values_[i];
+  const auto [low, high] = geometry::bounding_box(content().outline);
+  if (other_) post::set_errors(summary_, *other_, (high - low).norm());
+}
+
 post::Summary Outputs::finish() {
+  set_errors();
   name_settings_by_keys(summary_);
   summary_ = recorder_.finish(std::move(summary_), stopwatch_);
   if (plan_.reports() && recorder_.on_first_process())
@@ -142,6 +158,7 @@ PlateAnalysis::PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs)
     : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
   summary() = about(content(), plate_, ready.warnings);
   outputs.open(plate_);
+  outputs.compare_with(ready.other_results);
 }
 
 plate::NumericalError PlateAnalysis::failed(const plate::NumericalError& error) {

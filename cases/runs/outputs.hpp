@@ -10,6 +10,7 @@
 #include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
 #include "post/files/summary.hpp"
+#include "post/report/errors_of_results.hpp"
 #include "post/report/pictures.hpp"
 
 namespace plate {
@@ -62,8 +63,8 @@ public:
   const std::vector<post::Probe>& probes() const { return probes_; }
   /// A row of history and probes.
   void row(const post::Sample& sample, const plate::Formulation& plate);
-  /// True where frames are wanted, to be drawn or to go on from.
-  bool takes_frames() const { return recorder_.draws() || recorder_.stores(); }
+  /// True where frames are wanted, to be drawn, to go on from, or for the values at the probes of a plate at rest.
+  bool takes_frames() const { return recorder_.draws() || recorder_.stores() || takes_values(); }
   /// A frame, with other cells where they are given; `velocity` [3 x points] or without columns.
   void frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh = {},
              const plate::State& velocity = plate::no_state());
@@ -72,6 +73,8 @@ public:
   /// The cracks of the plate as they were given, where there are any.
   void given_cracks(const plate::Formulation& plate, const std::vector<post::Srif>& factors = {});
 
+  /// Compares the results with those of other points when it finishes.
+  void compare_with(std::optional<post::OtherResults> other) { other_ = std::move(other); }
   /// Writes the tables, the summary and the report; returns the summary complete.
   post::Summary finish();
 
@@ -81,12 +84,17 @@ public:
   void restore(plate::InArchive& archive);
 
 private:
+  bool takes_values() const;
+  void set_errors();
+
   RunPlan plan_;
   post::Recorder recorder_;
   plate::Stopwatch& stopwatch_;
   post::Summary summary_;
   post::FactorRows factors_;
   std::vector<post::Probe> probes_;
+  std::vector<std::vector<post::ProbeValue>> values_;  // of the frames of a plate at rest
+  std::optional<post::OtherResults> other_;
   post::Pictures pictures_;             // for the report
   std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed
 };

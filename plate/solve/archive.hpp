@@ -43,6 +43,9 @@ requires(plate::archived_members<Structure> > 0) void serialize(Archive& archive
   } else if constexpr (members == 6) {
     auto& [a, b, c, d, e, f] = structure;
     archive(a, b, c, d, e, f);
+  } else if constexpr (members == 7) {
+    auto& [a, b, c, d, e, f, g] = structure;
+    archive(a, b, c, d, e, f, g);
   } else {
     auto& [a, b, c, d, e, f, g, h, i, j] = structure;
     archive(a, b, c, d, e, f, g, h, i, j);

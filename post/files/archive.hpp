@@ -52,7 +52,7 @@ inline constexpr int plate::archived_members<post::RingSrif> = 6;
 template <>
 inline constexpr int plate::archived_members<post::FitSrif> = 5;
 template <>
-inline constexpr int plate::archived_members<post::Peak> = 6;
+inline constexpr int plate::archived_members<post::Peak> = 7;
 template <>
 inline constexpr int plate::archived_members<post::Wrench> = 3;
 template <>

@@ -113,6 +113,17 @@ Json json_of(const Peak& peak, bool moves) {
   if (peak.position) json["x"] = peak.position->x(), json["y"] = peak.position->y();
   add(json, "outside", peak.outside);
   if (moves) json["time"] = peak.time;
+  add(json, "estimated_error", peak.error);
+  return json;
+}
+
+Json json_of(const ProbeValue& one) {
+  Json json{{"probe", one.probe},
+            {"x", one.position.x()},
+            {"y", one.position.y()},
+            {"quantity", one.quantity},
+            {"value", one.value}};
+  add(json, "estimated_error", one.error);
   return json;
 }
 
@@ -132,6 +143,11 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
     one.update(json_of(reactions.supports[i].written(reactions.balance.supports[i])));
     if (rows)
       one["largest_force"] = reactions.largest[i].force, one["time_of_largest_force"] = reactions.largest[i].time;
+    if (!reactions.errors.empty()) {
+      const auto& error = reactions.errors[i];
+      one["estimated_error"] = error.force;
+      one["estimated_error_moment_x"] = error.moment_x, one["estimated_error_moment_y"] = error.moment_y;
+    }
     json["supports"].push_back(std::move(one));
   }
   json["sum"] = json_of(reactions.balance.sum());
@@ -149,6 +165,7 @@ Json json_of(const Frequency& frequency) {
             {"omega", frequency.omega},
             {"residual", frequency.residual}};
   add(json, "share_in_plane", frequency.share_in_plane);
+  add(json, "estimated_error", frequency.error);
   return json;
 }
 
@@ -189,10 +206,13 @@ Json json_of(const MembraneSummary& membrane) {
   Json json{{"strain_energy", membrane.strain_energy},
             {"external_work", membrane.external_work},
             {"residual", membrane.residual},
-            {"largest_displacement", membrane.largest_displacement},
-            {"reactions", Json::array()}};
-  for (const auto& [name, force] : membrane.reactions)
+            {"largest_displacement", membrane.largest_displacement}};
+  add(json, "estimated_error_largest_displacement", membrane.error);
+  json["reactions"] = Json::array();
+  for (const auto& [name, force, error] : membrane.reactions) {
     json["reactions"].push_back({{"name", name}, {"force_x", force.x()}, {"force_y", force.y()}});
+    add(json["reactions"].back(), "estimated_error", error);
+  }
   return json;
 }
 
@@ -271,10 +291,12 @@ Json json_of(const LoadCaseSummary& one) {
   add(json, "residual", one.residual);
   json["srif"] = json_of(one.srif, one.faces);
   json["extremes"] = json_of(one.extremes, false);
+  if (!one.probes.empty()) json["probes"] = list_of(one.probes);
   if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
   auto& energy = json["energy"] = {{"strain", one.strain_energy}};
   for (const auto& [name, value] : one.energy_parts) energy[name] = value;
   energy["external_work"] = one.external_work;
+  add(json, "estimated_error_energy", one.energy_error);
   if (one.membrane) json["membrane"] = json_of(*one.membrane);
   if (one.contact) json["contact"] = json_of(*one.contact);
   return json;
@@ -338,6 +360,7 @@ std::string to_json(const Summary& summary) {
   if (!summary.overlaps.empty()) json["overlaps"] = list_of(summary.overlaps);
   if (!summary.peaks.empty()) json["peaks"] = json_of(summary.peaks, true);
   if (!summary.extremes.empty()) json["extremes"] = json_of(summary.extremes, false);
+  if (!summary.probes.empty()) json["probes"] = list_of(summary.probes);
   if (const auto& reactions = summary.reactions)
     json["reactions"] = json_of(*reactions, summary.growth || summary.analysis.kind == plate::Analysis::Kind::dynamic);
   for (const auto& one : summary.load_cases) json["load_cases"].push_back(json_of(one));
@@ -360,6 +383,7 @@ std::string to_json(const Summary& summary) {
   if (summary.membrane) json["membrane"] = json_of(*summary.membrane);
   if (summary.growth) json["growth"] = json_of(*summary.growth);
   json["energy"] = json_of(summary.energy);
+  add(json, "estimated_error_energy", summary.energy_error);
   json["scene"] = list_of(summary.scene);
   json["warnings"] = summary.warnings;
   json["version"] = summary.version;

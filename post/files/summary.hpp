@@ -51,10 +51,11 @@ struct ReactionSummary {
     double time, force;
   };
   std::vector<Support> supports;
-  double time = 0;               // of the last row; quasi-static growth: the number of the advance
-  Balance balance;               // at this time
-  double largest_residual = 0;   // of all rows
-  std::vector<Largest> largest;  // force of every support, of all rows
+  double time = 0;                  // of the last row; quasi-static growth: the number of the advance
+  Balance balance;                  // at this time
+  double largest_residual = 0;      // of all rows
+  std::vector<Largest> largest;     // force of every support, of all rows
+  std::vector<Wrench> errors = {};  // estimated, of every support, as it is written; empty: not known
   /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
   std::optional<double> truncation = {};
 };
@@ -73,6 +74,7 @@ struct Frequency {
   double frequency = 0, omega = 0;  // [1/time], 2 pi frequency
   double residual = 0;
   std::optional<double> share_in_plane = {};  // of the kinetic energy, where bending and stretching are coupled
+  std::optional<double> error = {};           // estimated, of the frequency
 };
 
 /// Load factor at which a plate buckles.
@@ -89,7 +91,16 @@ struct Peak {
   std::optional<std::size_t> tip;
   double value = 0, time = 0;               // in motion
   std::optional<geometry::Point> position;  // of the point
-  std::optional<double> outside;            // no nearer than this to tips, pins and point forces [length]
+  std::optional<double> outside;     // no nearer than this to tips, sharp corners, pins and point forces [length]
+  std::optional<double> error = {};  // estimated
+};
+
+/// A value of a plate at rest at a probe: w, theta_x, theta_y, u, v, a moment, a force or the von Mises stress.
+struct ProbeValue {
+  std::string probe, quantity;
+  geometry::Point position;
+  double value = 0;
+  std::optional<double> error = {};  // estimated
 };
 
 /// The faces behind a tip in the rows of a run: post/report/overlaps.hpp.
@@ -103,12 +114,14 @@ struct FaceOverlaps {
 /// Summary of a plate in its plane.
 struct MembraneSummary {
   struct Reaction {
-    std::string name;       // of the support
-    geometry::Point force;  // on the plate [force]
+    std::string name;                  // of the support
+    geometry::Point force;             // on the plate [force]
+    std::optional<double> error = {};  // estimated, of either component
   };
   double strain_energy = 0, external_work = 0;
-  double residual = 0;              // of the equilibrium, relative
-  double largest_displacement = 0;  // sqrt(u^2 + v^2) of any point [length]
+  double residual = 0;               // of the equilibrium, relative
+  double largest_displacement = 0;   // sqrt(u^2 + v^2) of any point [length]
+  std::optional<double> error = {};  // estimated, of the largest displacement
   std::vector<Reaction> reactions;
 };
 
@@ -128,6 +141,7 @@ struct LoadCaseSummary {
   std::vector<Srif> srif = {};
   std::vector<FaceFactors> faces = {};  // of every entry of srif
   std::vector<Peak> extremes = {};
+  std::vector<ProbeValue> probes = {};
   std::optional<ReactionSummary> reactions = {};
   double strain_energy = 0, external_work = 0;
   std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
@@ -135,6 +149,7 @@ struct LoadCaseSummary {
   std::optional<ContactSummary> contact = {};    // where faces of cracks may touch: solved by itself
   // of strain_energy, where bending and stretching are coupled: bending, stretching, coupling
   std::vector<std::pair<std::string, double>> energy_parts = {};
+  std::optional<double> energy_error = {};  // estimated, of strain_energy
 
   /// True of a combination that is the sum of states.
   bool superposed() const { return !of.empty() && !large_deflections && !contact; }
@@ -211,6 +226,8 @@ struct Summary {
   std::vector<FaceOverlaps> overlaps;                  // of a motion or a growth
   std::vector<Peak> peaks;                             // of a motion
   std::vector<Peak> extremes;                          // in statics
+  std::vector<ProbeValue> probes;                      // in statics, of one load
+  std::optional<double> energy_error;                  // estimated, of the strain energy
   std::optional<ReactionSummary> reactions;            // of a plate that is held
   std::vector<LoadCaseSummary> load_cases;             // then combinations
   std::vector<EnvelopeEntry> envelope;                 // of them

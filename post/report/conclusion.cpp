@@ -68,9 +68,42 @@ namespace {
 
 using geometry::Point;
 
+/// Corners at which plates have no finite stress: those that point into the plate, and those between a clamped and a
+/// free edge (Williams 1952: of more than 60 degrees). Corners of less than 45 degrees from straight are edges that
+/// bend.
+void add_corners(const geometry::Polygon& ring, bool outer, const plate::Problem& problem, std::vector<Point>& found) {
+  constexpr double straight = 180, bend = 45, least = 60;  // [degrees]
+  const auto holds = [&](const std::string& edge, bool clamped) {
+    return std::ranges::any_of(problem.supports, [&](const plate::Support& support) {
+      return !support.holds_nothing() && std::ranges::find(support.edges, edge) != support.edges.end() &&
+             (!clamped || support.kind == plate::SupportKind::clamped);
+    });
+  };
+  const auto count = ring.vertices.size();
+  double area = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point &a = ring.vertices[i], &b = ring.vertices[(i + 1) % count];
+    area += a.x() * b.y() - a.y() * b.x();
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point &at = ring.vertices[i], before = at - ring.vertices[(i + count - 1) % count],
+                after = ring.vertices[(i + 1) % count] - at;
+    const double turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+    const double to_the_left = straight - (area > 0 ? 1 : -1) * turn * 180 / std::numbers::pi;  // inside of the ring
+    const double angle = outer ? to_the_left : 360 - to_the_left;
+    const auto &one = ring.edge_names[(i + count - 1) % count], &other = ring.edge_names[i];
+    const bool loose = (holds(one, true) && !holds(other, false)) || (holds(other, true) && !holds(one, false));
+    if (angle > straight + bend || (loose && angle > least)) found.push_back(at);
+  }
+}
+
 /// Points at which plates have no finite stress.
 std::vector<Point> singular(const plate::Formulation& plate) {
   std::vector<Point> result;
+  const auto& outline = plate.problem().outline;
+  add_corners(outline.outer, true, plate.problem(), result);
+  for (const auto& hole : outline.holes)
+    if (const auto* ring = std::get_if<geometry::Polygon>(&hole)) add_corners(*ring, false, plate.problem(), result);
   for (const auto& tip : plate.tips()) result.push_back(tip.position);
   for (const auto& holder : plate.boundary().holders)
     if (holder.position && holder.kind != plate::SupportKind::hub) result.push_back(*holder.position);
@@ -103,12 +136,20 @@ Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) 
   const auto places = singular(*plate_);
   Peak peak{"von_mises", {}, 0, time, {}, {}};
   if (!places.empty()) peak.outside = away;
+  const auto grows = [&](std::size_t k) {  // towards a neighbour: the flank of what has no limit
+    for (const auto& bond : plate_->families()[k])
+      if (bond.neighbour < cloud.plate_points &&
+          resultants.von_mises[bond.neighbour] > resultants.von_mises[Eigen::Index(k)])
+        return true;
+    return false;
+  };
   for (std::size_t k = 0; k < cloud.plate_points; ++k) {
     if (!plate_->boundary().owns(k)) continue;
     const double stress = resultants.von_mises[Eigen::Index(k)];
     if (stress <= peak.value && peak.position) continue;
     const auto& x = cloud.positions[k];
     if (std::ranges::any_of(places, [&](const Point& place) { return (x - place).norm() < away; })) continue;
+    if (!places.empty() && grows(k)) continue;
     peak.value = stress, peak.position = x;
   }
   return peak;
@@ -143,7 +184,7 @@ std::vector<Peak> Extremes::found(const plate::Heat* heat) const {
     auto there = largest_stress(time_, resultants);
     if (!stress || there.value > stress->value) stress = std::move(there);
   }
-  if (stress->position) result.push_back(std::move(*stress));
+  if (stress->position || plate_->distributed()) result.push_back(std::move(*stress));
   return result;
 }
 

@@ -125,11 +125,11 @@ function largest_section(list, title) {
   const timed = all.some(one => one.time !== undefined);
   const place = (one, i) => (one.tip !== undefined ? `tip ${one.tip}` : one.x === undefined ? "anywhere" : ["(", value(`${list}[${i}].x`, 4, rounded(one.x)), ", ", value(`${list}[${i}].y`, 4, rounded(one.y)), ")"]);
   const rounded = x => (Math.abs(x) < 1e-9 * extent() ? "0" : null);
-  const words = one => (one.outside === undefined ? "" : ` no nearer than ${shown(one.outside, 2)} to tips, pins and point forces`);
+  const words = one => (one.outside === undefined ? "" : ` no nearer than ${shown(one.outside, 2)} to tips, sharp corners, pins and point forces`);
   const columns = [{ title: "quantity", left: true }, { title: "largest" }, { title: "", left: true }, ...(timed ? [{ title: "at time", unit: unit("time") }] : []), { title: "where", left: true }];
   const rows = all.map((one, i) => {
     const { factor, name } = prefixed(one.quantity, [one.value]);
-    return noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), value(`${list}[${i}].value`, 5, null, factor), name,
+    return noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), with_error(`${list}[${i}].value`, one.estimated_error, factor, 5), name,
       ...(timed ? [value(`${list}[${i}].time`, 5)] : []), [place(one, i), words(one)]];
   });
   return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
@@ -231,7 +231,7 @@ function load_cases_section() {
   const peak = (one, name) => (one.extremes ?? []).findIndex(found => found.quantity === name);
   const scale = name => prefixed(name, all.map(one => one.extremes?.[peak(one, name)]?.value)), scales = { w: scale("w"), von_mises: scale("von_mises") };
   const sizes = all.map((one, n) => [one.name, one.of ? Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`).join("") : "",
-    ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : value(`load_cases[${n}].extremes[${peak(one, name)}].value`, 5, null, scales[name].factor)))]);
+    ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : with_error(`load_cases[${n}].extremes[${peak(one, name)}].value`, one.extremes[peak(one, name)].estimated_error, scales[name].factor, 5)))]);
   return section("Load cases", envelope_table(),
     factors_of_cases(all) ? [element("h3", {}, "Every case"), factors_of_cases(all)] : null, in_plane_of_cases(all),
     element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }], sizes, { "data-table": "extremes_of_cases" }),

@@ -84,7 +84,7 @@ function frequencies_section() {
   if (!frequencies) return null;
   const both = frequencies.some(one => "share_in_plane" in one);
   return section("Frequencies", table([{ title: "mode" }, { title: "frequency", unit: unit("frequency") }, { title: "ω", unit: si ? "1/s" : "" }, { title: "residual" }, ...(both ? [{ title: "share in plane" }] : [])],
-    frequencies.map((_, i) => [value(`frequencies[${i}].mode`), value(`frequencies[${i}].frequency`, 7), value(`frequencies[${i}].omega`, 7), value(`frequencies[${i}].residual`, 3), ...(both ? [value(`frequencies[${i}].share_in_plane`, 3)] : [])]), { "data-table": "frequencies" }));
+    frequencies.map((_, i) => [value(`frequencies[${i}].mode`), with_error(`frequencies[${i}].frequency`, frequencies[i].estimated_error, 1, 7), value(`frequencies[${i}].omega`, 7), value(`frequencies[${i}].residual`, 3), ...(both ? [value(`frequencies[${i}].share_in_plane`, 3)] : [])]), { "data-table": "frequencies" }));
 }
 
 function growth_section() {
@@ -104,7 +104,8 @@ function reactions_section() {
   const { reactions } = data.summary;
   if (!reactions?.supports) return null;
   const parts = ["force", "moment_x", "moment_y"], most = reactions.supports.some(one => one.largest_force !== undefined), most_of = name => largest([reactions.loads, ...reactions.supports].map(one => one?.[name])), size = name => 1e-9 * Math.max(most_of(name), name === "force" ? 0 : extent() * most_of("force"));
-  const cells = (path, one) => parts.map(name => (Math.abs(one[name]) <= size(name) ? "0" : value(`${path}.${name}`)));
+  const error = { force: "estimated_error", moment_x: "estimated_error_moment_x", moment_y: "estimated_error_moment_y" };
+  const cells = (path, one) => parts.map(name => (Math.abs(one[name]) <= size(name) ? "0" : with_error(`${path}.${name}`, one[error[name]])));
   const rows = reactions.supports.map((one, i) => [one.x === undefined ? one.support : `${one.support} at (${shown(one.x, 4)}, ${shown(one.y, 4)})`, ...cells(`reactions.supports[${i}]`, one),
     ...(most ? [value(`reactions.supports[${i}].largest_force`), value(`reactions.supports[${i}].time_of_largest_force`, 5)] : [])]);
   const total = (name, words) => (reactions[name] ? [{ kind: "total", cells: [words, ...cells(`reactions.${name}`, reactions[name]), ...(most ? ["", ""] : [])] }] : []);
@@ -113,6 +114,23 @@ function reactions_section() {
   [...rows, ...total("sum", "all supports"), ...total("loads", "loads"), ...total("inertia", "mass times acceleration")], { "data-table": "reactions" }),
   note("On the plate, along w; moments about the x and y axes through the origin. What is left of the balance: ", value("reactions.residual", 3), " of the largest part",
     reactions.largest_residual === undefined ? "" : [", at most ", value("reactions.largest_residual", 3), " at any time"], "."));
+}
+
+/** Values of a plate at rest at its probes: a column for each. */
+function probes_section() {
+  const all = data.summary.probes;
+  if (!Array.isArray(all) || all.length === 0) return null;
+  const places = [...new Set(all.map(one => one.probe))], quantities = [...new Set(all.map(one => one.quantity))], most = 4, blocks = [];
+  const index = (probe, quantity) => all.findIndex(one => one.probe === probe && one.quantity === quantity);
+  const rows = some => quantities.map(quantity => {
+    const { factor, name } = prefixed(quantity, all.filter(one => one.quantity === quantity).map(one => one.value));
+    return [names[quantity] ?? spaced(quantity), ...some.map(probe => with_error(`probes[${index(probe, quantity)}].value`, all[index(probe, quantity)].estimated_error, factor, 5)), name];
+  });
+  for (let begin = 0; begin < places.length; begin += most) {
+    const some = places.slice(begin, begin + most);
+    blocks.push(table([{ title: "quantity", left: true }, ...some.map(title => ({ title })), { title: "", left: true }], rows(some), { "data-table": "probes" }));
+  }
+  return section("Values at the probes", blocks);
 }
 
 function bars(entries, words) {
@@ -133,7 +151,7 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 
 /** What summary.json has that no section above knows. */
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
-  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "reactions", "overlaps", "load_cases", "envelope"]);
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "probes", "estimated_error_energy", "reactions", "overlaps", "load_cases", "envelope"]);
 
 const titles = { sanity: "Validity of the theory", membrane: "In the plane" };
 

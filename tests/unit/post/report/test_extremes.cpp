@@ -42,12 +42,10 @@ TEST_CASE("extremes: the place of the largest deflection, and the stress of the 
     CHECK(found[0].position->x() > 0.9);  // the free end of the cantilever
     CHECK(found[1].quantity == "von_mises");
     CHECK(found[1].time == 0.1);
-    CHECK(found[1].value ==
-          Approx(plate->resultants(state).von_mises.head(Eigen::Index(plate->cloud().plate_points)).maxCoeff()));
-    CHECK(found[1].position->x() < -0.9);  // beside the clamp
-    CHECK_FALSE(found[1].outside);         // nothing singular is marked
-    // p L^2 / 2 of the cantilever's root, beside corners more
-    CHECK(found[1].value == Approx(6 / 0.01 * 2).epsilon(0.2));
+    CHECK(found[1].position->x() < -0.9);     // beside the clamp
+    CHECK(*found[1].outside == Approx(0.2));  // of the corners of the clamp, four spacings
+    CHECK(std::abs(found[1].position->y()) < 0.8);
+    CHECK(found[1].value == Approx(6 / 0.01 * 2).epsilon(0.1));  // p L^2 / 2 of the cantilever's root
   }
 }
 

@@ -1,0 +1,191 @@
+#include "post/report/errors_of_results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "plate/formulation/boundary.hpp"
+#include "plate/formulation/interpolation.hpp"
+#include "plate/model/reduction.hpp"
+#include "post/files/frame.hpp"
+
+namespace post {
+namespace {
+
+/// Differences of values that have one relative error in common, at least.
+class Differences {
+public:
+  explicit Differences(double share) : share_(share) {}
+
+  /// Takes a value of a kind, that of the other points, and where its error goes.
+  void add(const std::string& kind, double value, double other, std::optional<double>& error) {
+    auto& size = sizes_[kind];
+    size = std::max(size, std::abs(value));
+    all_.push_back({kind, share_ * std::abs(value - other), &error});
+  }
+
+  void set() const {
+    double common = 0;
+    for (const auto& one : all_)
+      if (const double size = sizes_.at(one.kind); size > 0) common = std::max(common, one.difference / size);
+    for (const auto& one : all_) *one.error = std::max(one.difference, common * sizes_.at(one.kind));
+  }
+
+private:
+  struct One {
+    std::string kind;
+    double difference;
+    std::optional<double>* error;
+  };
+  double share_;
+  std::map<std::string, double> sizes_;
+  std::vector<One> all_;
+};
+
+/// The results that load cases and runs have alike.
+struct Alike {
+  std::vector<Peak>& extremes;
+  std::vector<ProbeValue>& probes;
+  std::optional<ReactionSummary>& reactions;
+  std::optional<MembraneSummary>& membrane;
+  std::optional<double>& energy_error;
+  double strain_energy;
+};
+
+template <typename Found>
+Alike alike(Found& found, double strain_energy) {
+  return {found.extremes, found.probes, found.reactions, found.membrane, found.energy_error, strain_energy};
+}
+
+double strain_energy(const Summary& summary) {
+  const auto found = std::ranges::find(summary.energy, "strain", &std::pair<std::string, double>::first);
+  return found == summary.energy.end() ? 0 : found->second;
+}
+
+const Peak* peak_of(const std::vector<Peak>& peaks, const std::string& quantity) {
+  const auto found = std::ranges::find(peaks, quantity, &Peak::quantity);
+  return found == peaks.end() ? nullptr : &*found;
+}
+
+/// Values of a probe that have one relative error, and those of them that have one size.
+std::pair<const char*, const char*> group_and_size(const std::string& quantity) {
+  static const std::map<std::string, std::pair<const char*, const char*>> all{{"w", {"bending", "w"}},
+                                                                              {"theta_x", {"bending", "theta"}},
+                                                                              {"theta_y", {"bending", "theta"}},
+                                                                              {"u", {"plane", "u"}},
+                                                                              {"v", {"plane", "u"}},
+                                                                              {"Mxx", {"moments", "M"}},
+                                                                              {"Myy", {"moments", "M"}},
+                                                                              {"Mxy", {"moments", "M"}},
+                                                                              {"Qx", {"shear", "Q"}},
+                                                                              {"Qy", {"shear", "Q"}},
+                                                                              {"Nxx", {"membrane forces", "N"}},
+                                                                              {"Nyy", {"membrane forces", "N"}},
+                                                                              {"Nxy", {"membrane forces", "N"}},
+                                                                              {"von_mises", {"moments", "von_mises"}}};
+  return all.at(quantity);
+}
+
+void set_errors_of_displacements(const Alike& own, const Alike& other, double share) {
+  std::map<std::string, Differences> groups;
+  const auto group = [&](const char* name) -> Differences& { return groups.try_emplace(name, share).first->second; };
+  for (auto& one : own.extremes)
+    if (const auto* there = peak_of(other.extremes, one.quantity))
+      group(one.quantity == "w" ? "bending" : "largest stress")
+          .add(one.quantity, std::abs(one.value), std::abs(there->value), one.error);
+  group("bending").add("energy", own.strain_energy, other.strain_energy, own.energy_error);
+  for (std::size_t i = 0; i < std::min(own.probes.size(), other.probes.size()); ++i) {
+    auto& one = own.probes[i];
+    const auto& [where, kind] = group_and_size(one.quantity);
+    group(where).add(kind, one.value, other.probes[i].value, one.error);
+  }
+  if (own.membrane && other.membrane)
+    group("plane").add("u", own.membrane->largest_displacement, other.membrane->largest_displacement,
+                       own.membrane->error);
+  for (const auto& [name, differences] : groups) differences.set();
+}
+
+/// Forces, and moments over the size of the plate, of every support by name.
+void set_errors_of_reactions(ReactionSummary& own, const ReactionSummary& other, double share, double size) {
+  std::vector<std::array<std::optional<double>, 3>> errors(own.supports.size());
+  Differences all(share);
+  for (std::size_t i = 0; i < own.supports.size(); ++i) {
+    const auto& support = own.supports[i];
+    const auto there = std::ranges::find(other.supports, support.name, &ReactionSummary::Support::name);
+    if (there == other.supports.end()) return;
+    const auto here = support.written(own.balance.supports[i]);
+    const auto that = there->written(other.balance.supports[std::size_t(there - other.supports.begin())]);
+    all.add("", here.force, that.force, errors[i][0]);
+    all.add("", here.moment_x / size, that.moment_x / size, errors[i][1]);
+    all.add("", here.moment_y / size, that.moment_y / size, errors[i][2]);
+  }
+  all.set();
+  for (const auto& [force, x, y] : errors) own.errors.push_back({*force, size * *x, size * *y});
+}
+
+void set_errors_of_forces_in_plane(MembraneSummary& own, const MembraneSummary& other, double share) {
+  std::vector<std::array<std::optional<double>, 2>> errors(own.reactions.size());
+  Differences all(share);
+  for (std::size_t i = 0; i < own.reactions.size(); ++i) {
+    const auto there = std::ranges::find(other.reactions, own.reactions[i].name, &MembraneSummary::Reaction::name);
+    if (there == other.reactions.end()) return;
+    for (const int axis : {0, 1})
+      all.add("", own.reactions[i].force[axis], there->force[axis], errors[i][std::size_t(axis)]);
+  }
+  all.set();
+  for (std::size_t i = 0; i < errors.size(); ++i) own.reactions[i].error = std::max(*errors[i][0], *errors[i][1]);
+}
+
+void set_errors_alike(const Alike& own, const Alike& other, double share, double size) {
+  set_errors_of_displacements(own, other, share);
+  if (own.reactions && other.reactions) set_errors_of_reactions(*own.reactions, *other.reactions, share, size);
+  if (own.membrane && other.membrane) set_errors_of_forces_in_plane(*own.membrane, *other.membrane, share);
+}
+
+}  // namespace
+
+std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame& frame,
+                                  const plate::Boundary& boundary) {
+  static const std::array<const char*, 5> forces{"Mxx", "Myy", "Mxy", "Qx", "Qy"};
+  std::vector<ProbeValue> result;
+  for (const auto& [name, x, shares] : probes) {
+    const auto mean = [&](const auto& values, Eigen::Index row) {  // one process has the place
+      double sum = 0;
+      for (const auto& share : shares) sum += share.weight * values(row, share.point);
+      return plate::sum_of_all(boundary.map, sum);
+    };
+    const auto add = [&](const std::string& quantity, double value) { result.push_back({name, quantity, x, value}); };
+    plate::PointValues u = plate::value_at(shares, frame.state);
+    for (double& component : u) component = plate::sum_of_all(boundary.map, component);
+    add("w", u[0]), add("theta_x", u[1]), add("theta_y", u[2]);
+    if (frame.in_plane)
+      add("u", mean(frame.in_plane->displacement, 0)), add("v", mean(frame.in_plane->displacement, 1));
+    for (Eigen::Index i = 0; i < 3; ++i) add(forces[std::size_t(i)], mean(frame.resultants.moments, i));
+    for (Eigen::Index i = 0; i < 2; ++i) add(forces[std::size_t(3 + i)], mean(frame.resultants.shear, i));
+    if (frame.in_plane)
+      for (Eigen::Index i = 0; i < 3; ++i)
+        add(std::string("N") + &forces[std::size_t(i)][1], mean(frame.in_plane->force, i));
+    add("von_mises", mean(frame.resultants.von_mises.transpose(), 0));
+  }
+  return result;
+}
+
+void set_errors(Summary& summary, const OtherResults& other, double size) {
+  Summary there = other.summary;
+  set_errors_alike(alike(summary, strain_energy(summary)), alike(there, strain_energy(there)), other.share, size);
+  for (std::size_t i = 0; i < std::min(summary.load_cases.size(), there.load_cases.size()); ++i) {
+    auto &own = summary.load_cases[i], &that = there.load_cases[i];
+    set_errors_alike(alike(own, own.strain_energy), alike(that, that.strain_energy), other.share, size);
+  }
+  double relative = 0;
+  for (std::size_t i = 0; i < std::min(summary.frequencies.size(), there.frequencies.size()); ++i) {
+    auto& one = summary.frequencies[i];
+    const double apart = std::abs(one.frequency - there.frequencies[i].frequency);
+    if (one.frequency > 0) relative = std::max(relative, other.share * apart / one.frequency);
+    one.error = relative * one.frequency;
+  }
+}
+
+}  // namespace post

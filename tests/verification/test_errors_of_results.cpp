@@ -1,0 +1,110 @@
+// Errors of deflections, stresses, reactions and frequencies that a run states, against runs with finer points.
+#include <array>
+
+#include "cases/driver/run.hpp"
+#include "cases/input/case_file.hpp"
+#include "cases/runs/run_plan.hpp"
+#include "post/files/results_in_memory.hpp"
+#include "post/files/summary.hpp"
+#include "tests/catch.hpp"
+
+namespace {
+
+constexpr const char* section = "[section]\nyoung = 1000.0\npoisson = 0.3\nthickness = 0.1\ndensity = 1.0\n";
+
+/// Plates of different outlines, supports and loads.
+const std::array<std::string, 5> plates{
+    "[geometry]\noutline = { rectangle = [0.0, 0.0, 1.3, 0.9] }\n"
+    "[[support]]\nkind = \"clamped\"\nedges = [\"left\", \"right\", \"bottom\", \"top\"]\n"
+    "[[load]]\nkind = \"pressure\"\nvalue = 1.0\n",
+    "[geometry]\noutline = { rectangle = [0.0, 0.0, 1.1, 1.0] }\nholes = [{ circle = [0.5, 0.45, 0.2] }]\n"
+    "[[support]]\nkind = \"simply_supported\"\nedges = [\"left\", \"right\"]\n"
+    "[[load]]\nkind = \"pressure\"\nvalue = 1.0\n",
+    "[geometry]\noutline = { rectangle = [0.0, 0.0, 1.4, 0.7] }\ncracks = [[[0.6, 0.2], [0.8, 0.5]]]\n"
+    "[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\n"
+    "[[load]]\nkind = \"edge_shear\"\nedges = [\"right\"]\nvalue = 1.0\n",
+    "[geometry]\noutline = { rectangle = [0.0, 0.0, 1.0, 1.0] }\n"
+    "[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\n[[support]]\nkind = \"simply_supported\"\nedges = "
+    "[\"right\"]\n"
+    "[[load]]\nkind = \"edge_moment\"\nedges = [\"top\"]\nvalue = 1.0\n",
+    "[geometry]\noutline = { polygon = [[0.0, 0.0], [1.2, 0.0], [1.0, 0.8], [0.2, 0.9]], edges = [\"a\", \"b\", \"c\", "
+    "\"d\"] }\n"
+    "[[support]]\nkind = \"simply_supported_hard\"\nedges = [\"a\", \"c\"]\n"
+    "[[load]]\nkind = \"pressure\"\nvalue = 1.0\n"};
+
+post::Summary found(const std::string& plate, const std::string& formulation, const std::string& kind, double spacing,
+                    bool errors) {
+  std::string text = section + plate + "[discretization]\nspacing = " + std::to_string(spacing) + "\nformulation = \"" +
+                     formulation + "\"\n[analysis]\nkind = \"" + kind + "\"\n[output]\nfields = []\n" +
+                     (errors ? "" : "errors = false\n") +
+                     (kind == "static" ? "probes = { a = [0.35, 0.3], b = [0.8, 0.55] }\n" : "");
+  if (kind == "frequencies") text.erase(text.find("[[load]]"), text.find("[discretization]") - text.find("[[load]]"));
+  post::ResultsInMemory unused;
+  return cases::run(cases::read_case_text(text, "plate", {}), {{}, true, &unused});
+}
+
+/// How often the difference is within the stated error, and within twice that.
+class Tally {
+public:
+  void add(const std::string& what, double value, double finer, const std::optional<double>& error, double size) {
+    CAPTURE(what, value, finer, size);
+    REQUIRE(error);
+    const double apart = std::abs(value - finer);
+    if (apart < 1e-5 * size) return;
+    ++all_, inside_ += apart <= *error;
+    CHECK(apart <= 2 * *error);
+  }
+  double inside() const { return inside_ / all_; }
+  double all() const { return all_; }
+
+private:
+  double all_ = 0, inside_ = 0;
+};
+
+double largest(const std::vector<post::ProbeValue>& values, char first) {
+  double result = 0;
+  for (const auto& one : values)
+    if (one.quantity.front() == first) result = std::max(result, std::abs(one.value));
+  return result;
+}
+
+void compare(const post::Summary& own, const post::Summary& finer, Tally& tally) {
+  for (std::size_t i = 0; i < own.extremes.size(); ++i)
+    tally.add("largest " + own.extremes[i].quantity, std::abs(own.extremes[i].value),
+              std::abs(finer.extremes.at(i).value), own.extremes[i].error, std::abs(own.extremes[i].value));
+  for (std::size_t i = 0; i < own.probes.size(); ++i)
+    if (const auto& one = own.probes[i]; one.quantity.front() != 'Q')
+      tally.add(one.probe + " " + one.quantity, one.value, finer.probes.at(i).value, one.error,
+                largest(own.probes, one.quantity.front()));
+  if (own.reactions)
+    for (std::size_t i = 0; i < own.reactions->supports.size(); ++i)
+      tally.add("force of " + own.reactions->supports[i].name, own.reactions->balance.supports[i].force,
+                finer.reactions->balance.supports.at(i).force, own.reactions->errors.at(i).force, 1);
+  for (std::size_t i = 0; i < own.frequencies.size(); ++i)
+    tally.add("frequency", own.frequencies[i].frequency, finer.frequencies.at(i).frequency, own.frequencies[i].error,
+              own.frequencies[i].frequency);
+}
+
+}  // namespace
+
+TEST_CASE("errors of results: runs with finer points are within them", "[errors]") {
+  for (const std::string formulation : {"galerkin", "ordinary"}) {
+    Tally tally;
+    for (const auto& plate : plates) {
+      if (formulation == "ordinary" && plate.find("polygon") != plate.npos) continue;
+      for (const std::string kind : {"static", "frequencies"})
+        for (const double spacing : {0.05, 0.035})
+          compare(found(plate, formulation, kind, spacing, true), found(plate, "galerkin", kind, 0.0125, false), tally);
+    }
+    CAPTURE(formulation, tally.inside(), tally.all());
+    CHECK(tally.all() > 60);
+    CHECK(tally.inside() >= 0.95);
+  }
+}
+
+TEST_CASE("errors of results: none where they are not wanted", "[errors]") {
+  const auto without = found(plates[0], "galerkin", "static", 0.05, false);
+  CHECK(!without.extremes.at(0).error);
+  CHECK(!without.probes.at(0).error);
+  CHECK(without.reactions->errors.empty());
+}
