@@ -7,7 +7,6 @@
 #include "post/factors/tip_methods.hpp"
 #include "post/files/factor_rows.hpp"
 #include "post/files/summary.hpp"
-#include "post/report/errors_of_results.hpp"
 
 namespace plate {
 struct BucklingMode;

@@ -14,6 +14,7 @@
 #include "plate/solve/archive.hpp"
 #include "plate/solve/interruption.hpp"
 #include "post/report/cost_model.hpp"
+#include "post/report/errors_of_results.hpp"
 #include "post/report/html_report.hpp"
 
 namespace cases {

@@ -10,7 +10,6 @@
 #include "post/files/factor_rows.hpp"
 #include "post/files/recorder.hpp"
 #include "post/files/summary.hpp"
-#include "post/report/errors_of_results.hpp"
 #include "post/report/pictures.hpp"
 
 namespace plate {

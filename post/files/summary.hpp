@@ -249,6 +249,12 @@ struct Summary {
   std::vector<std::string> warnings;
 };
 
+/// Results of the same case by other points.
+struct OtherResults {
+  Summary summary;
+  double share = 1;  // of the difference that is the error of a result
+};
+
 std::string to_json(const Summary& summary);
 
 /// Peak resident memory of this process [bytes].

@@ -17,12 +17,6 @@ struct Frame;
 std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame& frame,
                                   const plate::Boundary& boundary);
 
-/// Results of the same case by other points.
-struct OtherResults {
-  Summary summary;
-  double share = 1;  // of the difference that is the error of the run: 1 / (ratio of spacings - 1), orders of one
-};
-
 /// Sets the estimated errors of the results of a plate at rest, or of its frequencies: the share of the difference from
 /// those of other points. Two values may agree by chance, so that deflections, rotations and strain energy have at
 /// least the largest relative difference among them, and so have reactions, forces in the plane, moments; a frequency

@@ -225,7 +225,8 @@ void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness)
     if (peak.error) fmt::format_to(out, " +- {:.2g}", *peak.error);
     if (moves) fmt::format_to(out, " at t = {:.6g}", peak.time);
     if (peak.position) fmt::format_to(out, " at {}", place_text(*peak.position, thickness));
-    if (peak.outside) fmt::format_to(out, ", no nearer than {:.3g} to tips, sharp corners, pins and point forces", *peak.outside);
+    if (peak.outside)
+      fmt::format_to(out, ", no nearer than {:.3g} to tips, sharp corners, pins and point forces", *peak.outside);
     fmt::format_to(out, "\n");
   }
 }

@@ -25,7 +25,7 @@ BeginOfMotion begin_of_motion(const Formulation& plate, double rotary);
 
 /// The stable step of a plate with damping and contact, `free` being its own.
 double stable_step(double free, const Formulation& plate, const Analysis& analysis, const BeginOfMotion& begin);
-/// The same, with damping that may relax: not where supports move, nor where the given time step needs none of it.
+/// Stable step with damping that may relax: not where supports move, nor where the given time step needs none of it.
 DampedStep damped_step(double free, const Formulation& plate, const Analysis& analysis, const BeginOfMotion& begin);
 
 }  // namespace plate
