@@ -37,7 +37,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
   }
   for (auto& soil : c.foundations) soil.unilateral = false;  // few and wide points may tip where the plate does not
   c.output.history_every = c.analysis.duration / std::clamp(reduced.steps / 8, 1.0, 8.0);
-  c.output.every.reset(), c.output.probes.clear(), c.output.errors = false;
+  c.output.every.reset(), c.output.probes.clear(), c.output.lines.clear(), c.output.errors = false;
   if (!reduced.factors) c.srif.reset();
   if (c.impact) c.impact->stiffness *= 1e-9;
   if (c.srif) c.srif->second_formulation = c.srif->richardson = false;

@@ -18,11 +18,12 @@
 #include "plate/solve/motion/time_grid.hpp"
 #include "plate/solve/validation.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/report/errors_of_results.hpp"
 
 namespace cases {
 namespace {
 
-/// Probes and places of impacts that have no points about them.
+/// Probes, lines and places of impacts that have no points about them.
 void check_places(const CaseFile& file, const plate::Formulation& plate, std::vector<Problem>& problems) {
   const auto check = [&](const std::string& key, const geometry::Point& x) {
     try {
@@ -32,6 +33,13 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
     }
   };
   for (const auto& [name, x] : file.content.output.probes) check("output.probes." + name, x);
+  for (const auto& [name, ends] : file.content.output.lines)
+    try {
+      if (post::sampled_line(name, ends[0], ends[1], plate).places.empty())
+        problems.push_back({file.place("output.lines." + name), "output.lines." + name, "does not meet the plate"});
+    } catch (const plate::Refused& error) {
+      problems.push_back({file.place("output.lines." + name), "output.lines." + name, error.what()});
+    }
   if (file.content.impact) check("impact.position", file.content.impact->position);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -27,6 +28,7 @@ struct Output {
       history_every;             // dynamic: time between rows of history, probes and SRIFs; absent: duration / 400
   double checkpoint_every = 60;  // [s] of the clock; 0: never
   std::map<std::string, geometry::Point> probes;
+  std::map<std::string, std::array<geometry::Point, 2>> lines;  // from one point to the other, at rest
 
   bool reports() const { return report.value_or(vtk || hdf5); }
 };

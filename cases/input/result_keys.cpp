@@ -149,6 +149,33 @@ Field<Output> probes() {
       });
 }
 
+Field<Output> lines() {
+  return value<Output>(
+      {"lines", "length", "{ name = [[x, y], [x, y]], ... }", "",
+       "straight lines, from one point to the other, along which displacements, moments and forces are recorded and "
+       "summed up"},
+      [](const Value& given, Output& output) {
+        const auto* entries = given.table();
+        if (!entries) return;
+        for (const auto& [name, node] : *entries) {
+          const Value line(node, given.below(std::string(name.str())), given.reading());
+          if (!bare(std::string(name.str()))) line.report_error("the name of a line has letters, digits, _ and - only");
+          const auto ends = line.points();
+          if (!ends) continue;
+          if (ends->size() != 2 || (*ends)[0] == (*ends)[1])
+            line.report_error("must be two points, [[x, y], [x, y]]");
+          else
+            output.lines[std::string(name.str())] = {(*ends)[0], (*ends)[1]};
+        }
+      },
+      [](const Output& output) {
+        std::vector<std::string> texts;
+        for (const auto& [name, ends] : output.lines)
+          texts.push_back(fmt::format("{} = [{}, {}]", name, text_of(ends[0]), text_of(ends[1])));
+        return texts.empty() ? "" : fmt::format("{{ {} }}", fmt::join(texts, ", "));
+      });
+}
+
 }  // namespace
 
 Fields<Output> output_fields() {
@@ -169,6 +196,7 @@ Fields<Output> output_fields() {
                  "points, which takes about a tenth of the time of the first")
           .used_in({Analysis::Kind::static_, Analysis::Kind::frequencies}),
       probes().used_in({Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::harmonic}),
+      lines().in({Analysis::Kind::static_}),
   };
 }
 

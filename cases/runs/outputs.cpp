@@ -68,6 +68,13 @@ void Outputs::warn(std::vector<std::string> warnings) {
   std::ranges::move(warnings, std::back_inserter(summary_.warnings));
 }
 
+void Outputs::place_probes(const plate::Formulation& plate) {
+  probes_ = probes_of(content().output.probes, plate);
+  lines_.clear();
+  for (const auto& [name, ends] : content().output.lines)
+    lines_.push_back(post::sampled_line(name, ends[0], ends[1], plate));
+}
+
 void Outputs::open(const plate::Formulation& plate) {
   place_probes(plate);
   if (!recorder_.draws() && !recorder_.stores()) return;
@@ -83,7 +90,7 @@ void Outputs::row(const post::Sample& sample, const plate::Formulation& plate) {
 
 void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh,
                     const plate::State& velocity) {
-  if (takes_values()) values_.push_back(post::values_at(probes_, frame, plate.boundary()));
+  if (takes_values()) take_values(plate, frame);
   if (!recorder_.draws() && !recorder_.stores()) return;
   if (mesh) drawing_ = owned_mesh(plate, *mesh);
   if (drawing_) {
@@ -134,20 +141,36 @@ void name_settings_by_keys(post::Summary& summary) {
 }  // namespace
 
 bool Outputs::takes_values() const {
-  return !probes_.empty() && content().analysis.kind == Analysis::Kind::static_ && !content().growth;
+  const bool wanted = !probes_.empty() || !lines_.empty();
+  return wanted && content().analysis.kind == Analysis::Kind::static_ && !content().growth;
+}
+
+void Outputs::take_values(const plate::Formulation& plate, const post::Frame& frame) {
+  values_.push_back(post::values_at(probes_, frame, plate.boundary()));
+  auto& sums = sums_.emplace_back();
+  for (const auto& line : lines_) {
+    const auto values = post::values_at(line.places, frame, plate.boundary());
+    post::add_rows(line_rows_, frame.time, line, values);
+    std::ranges::move(post::sums_along(line, values), std::back_inserter(sums));
+  }
 }
 
 /// Gives the summary the values at probes, and errors to all.
 void Outputs::set_errors() {
-  if (!values_.empty() && summary_.load_cases.empty()) summary_.probes = values_.back();
+  if (!values_.empty() && summary_.load_cases.empty()) summary_.probes = values_.back(), summary_.lines = sums_.back();
   for (std::size_t i = 0; i < std::min(values_.size(), summary_.load_cases.size()); ++i)
-    summary_.load_cases[i].probes = values_[i];
+    summary_.load_cases[i].probes = values_[i], summary_.load_cases[i].lines = sums_[i];
   const auto [low, high] = geometry::bounding_box(content().outline);
-  if (other_) post::set_errors(summary_, *other_, (high - low).norm());
+  if (other_) return post::set_errors(summary_, *other_, (high - low).norm());
+  for (auto* some : {&summary_.extremes, &summary_.peaks})
+    for (auto& one : *some) one.error.reset();
+  for (auto& one : summary_.load_cases)
+    for (auto& peak : one.extremes) peak.error.reset();
 }
 
 post::Summary Outputs::finish() {
   set_errors();
+  if (!line_rows_.rows.empty()) recorder_.table("lines", std::move(line_rows_));
   name_settings_by_keys(summary_);
   summary_ = recorder_.finish(std::move(summary_), stopwatch_);
   if (plan_.reports() && recorder_.on_first_process())

@@ -12,6 +12,10 @@
 #include "post/files/summary.hpp"
 #include "post/report/pictures.hpp"
 
+namespace post {
+struct SampledLine;
+}
+
 namespace plate {
 class NumericalError;
 class Stopwatch;
@@ -58,7 +62,7 @@ public:
   /// probes.
   void open(const plate::Formulation& plate);
   /// Places the probes on a plate that has new points.
-  void place_probes(const plate::Formulation& plate) { probes_ = probes_of(content().output.probes, plate); }
+  void place_probes(const plate::Formulation& plate);
   const std::vector<post::Probe>& probes() const { return probes_; }
   /// A row of history and probes.
   void row(const post::Sample& sample, const plate::Formulation& plate);
@@ -84,6 +88,7 @@ public:
 
 private:
   bool takes_values() const;
+  void take_values(const plate::Formulation& plate, const post::Frame& frame);
   void set_errors();
 
   RunPlan plan_;
@@ -92,7 +97,10 @@ private:
   post::Summary summary_;
   post::FactorRows factors_;
   std::vector<post::Probe> probes_;
-  std::vector<std::vector<post::ProbeValue>> values_;  // of the frames of a plate at rest
+  // of the frames of a plate at rest
+  std::vector<std::vector<post::ProbeValue>> values_, sums_;
+  std::vector<post::SampledLine> lines_;
+  post::Table line_rows_;
   std::optional<post::OtherResults> other_;
   post::Pictures pictures_;             // for the report
   std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed

@@ -283,6 +283,16 @@ Json json_of(const ContactSummary& contact) {
           {"closed_share", contact.closed_share}};
 }
 
+/// Integrals along lines.
+Json sums_json(const std::vector<ProbeValue>& sums) {
+  Json json = Json::array();
+  for (const auto& one : sums) {
+    json.push_back({{"line", one.probe}, {"quantity", one.quantity}, {"value", one.value}});
+    add(json.back(), "estimated_error", one.error);
+  }
+  return json;
+}
+
 Json json_of(const LoadCaseSummary& one) {
   Json json{{"name", one.name}};
   if (!one.of.empty()) json["of"] = json_of(one.of);
@@ -292,6 +302,7 @@ Json json_of(const LoadCaseSummary& one) {
   json["srif"] = json_of(one.srif, one.faces);
   json["extremes"] = json_of(one.extremes, false);
   if (!one.probes.empty()) json["probes"] = list_of(one.probes);
+  if (!one.lines.empty()) json["lines"] = sums_json(one.lines);
   if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
   auto& energy = json["energy"] = {{"strain", one.strain_energy}};
   for (const auto& [name, value] : one.energy_parts) energy[name] = value;
@@ -361,6 +372,7 @@ std::string to_json(const Summary& summary) {
   if (!summary.peaks.empty()) json["peaks"] = json_of(summary.peaks, true);
   if (!summary.extremes.empty()) json["extremes"] = json_of(summary.extremes, false);
   if (!summary.probes.empty()) json["probes"] = list_of(summary.probes);
+  if (!summary.lines.empty()) json["lines"] = sums_json(summary.lines);
   if (const auto& reactions = summary.reactions)
     json["reactions"] = json_of(*reactions, summary.growth || summary.analysis.kind == plate::Analysis::Kind::dynamic);
   for (const auto& one : summary.load_cases) json["load_cases"].push_back(json_of(one));

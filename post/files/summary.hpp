@@ -141,7 +141,7 @@ struct LoadCaseSummary {
   std::vector<Srif> srif = {};
   std::vector<FaceFactors> faces = {};  // of every entry of srif
   std::vector<Peak> extremes = {};
-  std::vector<ProbeValue> probes = {};
+  std::vector<ProbeValue> probes = {}, lines = {};
   std::optional<ReactionSummary> reactions = {};
   double strain_energy = 0, external_work = 0;
   std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
@@ -227,6 +227,7 @@ struct Summary {
   std::vector<Peak> peaks;                             // of a motion
   std::vector<Peak> extremes;                          // in statics
   std::vector<ProbeValue> probes;                      // in statics, of one load
+  std::vector<ProbeValue> lines;                       // integrals along lines, likewise
   std::optional<double> energy_error;                  // estimated, of the strain energy
   std::optional<ReactionSummary> reactions;            // of a plate that is held
   std::vector<LoadCaseSummary> load_cases;             // then combinations

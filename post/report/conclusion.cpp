@@ -143,6 +143,14 @@ Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) 
         return true;
     return false;
   };
+  const auto change = [&](std::size_t k) {  // half of that to the next points: what a place between them may have more
+    double most = 0;
+    for (const auto& bond : plate_->families()[k])
+      if (bond.neighbour < cloud.plate_points &&
+          (cloud.positions[bond.neighbour] - cloud.positions[k]).norm() < 1.5 * plate_->discretization().spacing)
+        most = std::max(most, std::abs(resultants.von_mises[bond.neighbour] - resultants.von_mises[Eigen::Index(k)]));
+    return most / 2;
+  };
   for (std::size_t k = 0; k < cloud.plate_points; ++k) {
     if (!plate_->boundary().owns(k)) continue;
     const double stress = resultants.von_mises[Eigen::Index(k)];
@@ -150,7 +158,7 @@ Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) 
     const auto& x = cloud.positions[k];
     if (std::ranges::any_of(places, [&](const Point& place) { return (x - place).norm() < away; })) continue;
     if (!places.empty() && grows(k)) continue;
-    peak.value = stress, peak.position = x;
+    peak.value = stress, peak.position = x, peak.error = change(k);
   }
   return peak;
 }

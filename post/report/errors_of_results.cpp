@@ -7,7 +7,10 @@
 #include <map>
 
 #include "plate/formulation/boundary.hpp"
+#include "plate/formulation/formulation.hpp"
 #include "plate/formulation/interpolation.hpp"
+#include "plate/model/problem.hpp"
+#include "plate/model/problem_validation.hpp"
 #include "plate/model/reduction.hpp"
 #include "post/files/frame.hpp"
 
@@ -26,11 +29,13 @@ public:
     all_.push_back({kind, share_ * std::abs(value - other), &error});
   }
 
-  void set() const {
+  /// Sets all errors, at least `floor` times the largest relative one. Those that are known already do not get less.
+  void set(double floor) const {
     double common = 0;
     for (const auto& one : all_)
       if (const double size = sizes_.at(one.kind); size > 0) common = std::max(common, one.difference / size);
-    for (const auto& one : all_) *one.error = std::max(one.difference, common * sizes_.at(one.kind));
+    for (const auto& one : all_)
+      *one.error = std::max({one.difference, floor * common * sizes_.at(one.kind), one.error->value_or(0)});
   }
 
 private:
@@ -47,7 +52,7 @@ private:
 /// The results that load cases and runs have alike.
 struct Alike {
   std::vector<Peak>& extremes;
-  std::vector<ProbeValue>& probes;
+  std::vector<ProbeValue>&probes, &lines;
   std::optional<ReactionSummary>& reactions;
   std::optional<MembraneSummary>& membrane;
   std::optional<double>& energy_error;
@@ -56,7 +61,8 @@ struct Alike {
 
 template <typename Found>
 Alike alike(Found& found, double strain_energy) {
-  return {found.extremes, found.probes, found.reactions, found.membrane, found.energy_error, strain_energy};
+  return {found.extremes, found.probes,       found.lines,  found.reactions,
+          found.membrane, found.energy_error, strain_energy};
 }
 
 double strain_energy(const Summary& summary) {
@@ -71,20 +77,27 @@ const Peak* peak_of(const std::vector<Peak>& peaks, const std::string& quantity)
 
 /// Values of a probe that have one relative error, and those of them that have one size.
 std::pair<const char*, const char*> group_and_size(const std::string& quantity) {
-  static const std::map<std::string, std::pair<const char*, const char*>> all{{"w", {"bending", "w"}},
-                                                                              {"theta_x", {"bending", "theta"}},
-                                                                              {"theta_y", {"bending", "theta"}},
-                                                                              {"u", {"plane", "u"}},
-                                                                              {"v", {"plane", "u"}},
-                                                                              {"Mxx", {"moments", "M"}},
-                                                                              {"Myy", {"moments", "M"}},
-                                                                              {"Mxy", {"moments", "M"}},
-                                                                              {"Qx", {"shear", "Q"}},
-                                                                              {"Qy", {"shear", "Q"}},
-                                                                              {"Nxx", {"membrane forces", "N"}},
-                                                                              {"Nyy", {"membrane forces", "N"}},
-                                                                              {"Nxy", {"membrane forces", "N"}},
-                                                                              {"von_mises", {"moments", "von_mises"}}};
+  static const std::map<std::string, std::pair<const char*, const char*>> all{
+      {"w", {"bending", "w"}},
+      {"w", {"bending", "w"}},
+      {"theta_x", {"bending", "theta"}},
+      {"theta_y", {"bending", "theta"}},
+      {"u", {"plane", "u"}},
+      {"v", {"plane", "u"}},
+      {"Mxx", {"moments", "M"}},
+      {"Myy", {"moments", "M"}},
+      {"Mxy", {"moments", "M"}},
+      {"Qx", {"shear", "Q"}},
+      {"Qy", {"shear", "Q"}},
+      {"Nxx", {"membrane forces", "N"}},
+      {"Nyy", {"membrane forces", "N"}},
+      {"Nxy", {"membrane forces", "N"}},
+      {"von_mises", {"moments", "von_mises"}},
+      {"moment", {"sums of moments", "M"}},
+      {"twist", {"sums of moments", "M"}},
+      {"shear", {"sums of shear", "Q"}},
+      {"normal_force", {"sums of membrane forces", "N"}},
+      {"tangential_force", {"sums of membrane forces", "N"}}};
   return all.at(quantity);
 }
 
@@ -96,15 +109,19 @@ void set_errors_of_displacements(const Alike& own, const Alike& other, double sh
       group(one.quantity == "w" ? "bending" : "largest stress")
           .add(one.quantity, std::abs(one.value), std::abs(there->value), one.error);
   group("bending").add("energy", own.strain_energy, other.strain_energy, own.energy_error);
-  for (std::size_t i = 0; i < std::min(own.probes.size(), other.probes.size()); ++i) {
-    auto& one = own.probes[i];
-    const auto& [where, kind] = group_and_size(one.quantity);
-    group(where).add(kind, one.value, other.probes[i].value, one.error);
-  }
+  const auto compare = [&](std::vector<ProbeValue>& values, const std::vector<ProbeValue>& there) {
+    for (std::size_t i = 0; i < std::min(values.size(), there.size()); ++i) {
+      const auto& [where, kind] = group_and_size(values[i].quantity);
+      group(where).add(kind, values[i].value, there[i].value, values[i].error);
+    }
+  };
+  compare(own.probes, other.probes), compare(own.lines, other.lines);
   if (own.membrane && other.membrane)
     group("plane").add("u", own.membrane->largest_displacement, other.membrane->largest_displacement,
                        own.membrane->error);
-  for (const auto& [name, differences] : groups) differences.set();
+  // all of a deflection is off where its supports are; moments are so in places
+  for (const auto& [name, differences] : groups)
+    differences.set(name == "bending" || name == "plane" ? 1 : 0.3);
 }
 
 /// Forces, and moments over the size of the plate, of every support by name.
@@ -121,7 +138,7 @@ void set_errors_of_reactions(ReactionSummary& own, const ReactionSummary& other,
     all.add("", here.moment_x / size, that.moment_x / size, errors[i][1]);
     all.add("", here.moment_y / size, that.moment_y / size, errors[i][2]);
   }
-  all.set();
+  all.set(1);
   for (const auto& [force, x, y] : errors) own.errors.push_back({*force, size * *x, size * *y});
 }
 
@@ -134,7 +151,7 @@ void set_errors_of_forces_in_plane(MembraneSummary& own, const MembraneSummary& 
     for (const int axis : {0, 1})
       all.add("", own.reactions[i].force[axis], there->force[axis], errors[i][std::size_t(axis)]);
   }
-  all.set();
+  all.set(1);
   for (std::size_t i = 0; i < errors.size(); ++i) own.reactions[i].error = std::max(*errors[i][0], *errors[i][1]);
 }
 
@@ -169,6 +186,72 @@ std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame&
         add(std::string("N") + &forces[std::size_t(i)][1], mean(frame.in_plane->force, i));
     add("von_mises", mean(frame.resultants.von_mises.transpose(), 0));
   }
+  return result;
+}
+
+SampledLine sampled_line(const std::string& name, const geometry::Point& from, const geometry::Point& to,
+                         const plate::Formulation& plate) {
+  constexpr int pieces = 100;
+  SampledLine result{name, from, to, {}, {}, {}};
+  const auto& problem = plate.problem();
+  bool before = false;
+  for (int n = 0; n <= pieces; ++n) {
+    const geometry::Point x = from + (to - from) * n / pieces;
+    const bool here = plate::on_plate(problem.outline, x);
+    if (here) {
+      result.places.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::PlaceShare>{}});
+      result.along.push_back((x - from).norm()), result.joined.push_back(before);
+    }
+    before = here;
+  }
+  return result;
+}
+
+void add_rows(Table& table, double time, const SampledLine& line, const std::vector<ProbeValue>& values) {
+  if (line.places.empty()) return;
+  const auto each = values.size() / line.places.size();
+  if (table.columns.empty()) {
+    table.columns = {"time", "line", "s", "x", "y"};
+    for (std::size_t q = 0; q < each; ++q) table.columns.push_back(values[q].quantity);
+  }
+  for (std::size_t i = 0; i < line.places.size(); ++i) {
+    const auto& x = line.places[i].position;
+    table.rows.push_back({time, line.name, line.along[i], x.x(), x.y()});
+    for (std::size_t q = 0; q < each; ++q) table.rows.back().emplace_back(values[i * each + q].value);
+  }
+}
+
+std::vector<ProbeValue> sums_along(const SampledLine& line, const std::vector<ProbeValue>& values) {
+  const auto count = line.places.size();
+  if (count == 0) return {};
+  const auto each = values.size() / count;
+  const geometry::Point way = (line.to - line.from).normalized(), n(way.y(), -way.x()), s = way;
+  const auto at = [&](std::size_t i, const char* quantity) {
+    const auto begin = values.begin() + std::ptrdiff_t(i * each), end = begin + std::ptrdiff_t(each);
+    return std::find_if(begin, end, [&](const ProbeValue& one) { return one.quantity == quantity; })->value;
+  };
+  const auto tensor = [&](std::size_t i, const std::array<const char*, 3>& names, const geometry::Point& other) {
+    Eigen::Matrix2d T;
+    T << at(i, names[0]), at(i, names[2]), at(i, names[2]), at(i, names[1]);
+    return n.dot(T * other);
+  };
+  const auto sum = [&](const auto& value) {
+    double result = 0;
+    for (std::size_t i = 1; i < count; ++i)
+      if (line.joined[i]) result += (line.along[i] - line.along[i - 1]) * (value(i) + value(i - 1)) / 2;
+    return result;
+  };
+  std::vector<ProbeValue> result;
+  const auto add = [&](const char* quantity, const auto& value) {
+    result.push_back({line.name, quantity, (line.from + line.to) / 2, sum(value)});
+  };
+  constexpr std::array M{"Mxx", "Myy", "Mxy"}, N{"Nxx", "Nyy", "Nxy"};
+  add("moment", [&](std::size_t i) { return tensor(i, M, n); });
+  add("twist", [&](std::size_t i) { return tensor(i, M, s); });
+  add("shear", [&](std::size_t i) { return n.dot(geometry::Point(at(i, "Qx"), at(i, "Qy"))); });
+  if (std::ranges::find(values, "Nxx", &ProbeValue::quantity) == values.end()) return result;
+  add("normal_force", [&](std::size_t i) { return tensor(i, N, n); });
+  add("tangential_force", [&](std::size_t i) { return tensor(i, N, s); });
   return result;
 }
 

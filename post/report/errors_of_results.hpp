@@ -6,7 +6,8 @@
 
 namespace plate {
 struct Boundary;
-}
+class Formulation;
+}  // namespace plate
 
 namespace post {
 
@@ -16,6 +17,25 @@ struct Frame;
 /// where loads act in the plane. `boundary`: of the points of the frame.
 std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame& frame,
                                   const plate::Boundary& boundary);
+
+/// Places along a straight line through a plate, equally spaced; of those in holes and beside the plate none.
+struct SampledLine {
+  std::string name;
+  geometry::Point from, to;
+  std::vector<Probe> places;  // of the name of the line
+  std::vector<double> along;  // distance of every place from the first point [length]
+  std::vector<bool> joined;   // to the place before, with no gap
+};
+
+SampledLine sampled_line(const std::string& name, const geometry::Point& from, const geometry::Point& to,
+                         const plate::Formulation& plate);
+
+/// Rows of lines.csv: `time`, the line, s, x, y and every value at the place. Adds columns to an empty table.
+void add_rows(Table& table, double time, const SampledLine& line, const std::vector<ProbeValue>& values);
+
+/// Integrals along a line: moment, twist and shear of M_nn, M_ns and Q_n, where loads act in the plane normal_force and
+/// tangential_force of N_nn and N_ns. n is to the right of the way along the line, s = n turned by +90 degrees.
+std::vector<ProbeValue> sums_along(const SampledLine& line, const std::vector<ProbeValue>& values);
 
 /// Sets the estimated errors of the results of a plate at rest, or of its frequencies: the share of the difference from
 /// those of other points. Two values may agree by chance, so that deflections, rotations and strain energy have at

@@ -27,6 +27,7 @@ std::string tables(const fs::path& folder) {
   const auto whole = [](Table table) { return table; };
   add("history", whole);
   add("probes", whole);
+  add("lines", whole);
   add("growth", whole);
   add("response", whole);
   add("reactions", [](const Table& table) { return columns_of(table, {"time", "support", "force"}); });

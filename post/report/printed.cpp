@@ -231,6 +231,17 @@ void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness)
   }
 }
 
+/// Integrals along lines.
+void sums(Text out, const std::vector<ProbeValue>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& one = all[i];
+    const bool first = i == 0 || all[i - 1].probe != one.probe;
+    fmt::format_to(out, "{}{} {:.5g}{}", first ? (i == 0 ? "across " : "\nacross ") + one.probe + ": " : ", ",
+                   one.quantity, one.value, one.error ? fmt::format(" +- {:.2g}", *one.error) : "");
+  }
+  if (!all.empty()) fmt::format_to(out, "\n");
+}
+
 void accuracy(Text out, const AccuracySummary& accuracy) {
   fmt::format_to(out, "accuracy {:.2g} % asked: {}\n{:>8} {:>10} {:>11} {:>9} {:>16}\n", 100 * accuracy.asked,
                  accuracy.outcome(), "points", "spacing", "tip spacing", "seconds", "estimated error");
@@ -366,6 +377,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
   if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);
   if (!summary.extremes.empty()) peaks(out, summary.extremes, false, thickness);
+  sums(out, summary.lines);
   const bool both = !summary.frequencies.empty() && summary.frequencies.front().share_in_plane;
   if (!summary.frequencies.empty())
     fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}{}\n", "mode", "frequency", "omega", "residual",

@@ -133,6 +133,27 @@ function probes_section() {
   return section("Values at the probes", blocks);
 }
 
+/** Sums along lines, and moments over the way along them. */
+function lines_section() {
+  const all = data.summary.lines ?? [], rows = tables.lines;
+  const lines = [...new Set(rows?.line ?? [])], quantities = [...new Set(all.map(one => one.quantity))];
+  if (lines.length === 0) return null;
+  const of = { moment: "moment", twist: "moment", shear: "force", normal_force: "force", tangential_force: "force" };
+  const words = { moment: "moment (sum of Mnn)", twist: "twist (sum of Mns)", shear: "shear force (sum of Qn)", normal_force: "normal force (sum of Nnn)", tangential_force: "tangential force (sum of Nns)" };
+  const index = (line, quantity) => all.findIndex(one => one.line === line && one.quantity === quantity);
+  const scale = quantity => prefixed(of[quantity], all.filter(one => one.quantity === quantity).map(one => one.value));
+  const sums = all.length === 0 ? null : table([{ title: "line", left: true }, ...quantities.map(quantity => ({ title: words[quantity], unit: scale(quantity).name }))],
+    lines.map(line => [String(line), ...quantities.map(quantity => with_error(`lines[${index(line, quantity)}].value`, all[index(line, quantity)].estimated_error, scale(quantity).factor, 5))]), { "data-table": "lines" });
+  const curve = (line, names, title, quantity) => {
+    const own = rows.line.map((_, i) => i).filter(i => rows.line[i] === line && rows.time[i] === rows.time[0]);
+    const felt = names.filter(name => largest(own.map(i => rows[name]?.[i])) > 0);
+    return felt.length === 0 ? null : plot({ title: `${title} along ${line}`, x: { label: "s", quantity: "length" }, y: { label: title, quantity },
+      lines: felt.map(name => ({ label: name, x: own.map(i => rows.s[i]), y: own.map(i => rows[name][i]) })) });
+  };
+  return section("Along lines", sums, plots(lines.flatMap(line => [curve(line, ["w"], "Deflection", "w"), curve(line, ["Mxx", "Myy", "Mxy"], "Moments", "Mxx"), curve(line, ["Nxx", "Nyy", "Nxy"], "Membrane forces", "Nxx")])),
+    all.length === 0 ? null : note("The normal n points to the right of the way along a line, s along n turned by +90 degrees."));
+}
+
 function bars(entries, words) {
   const most = Math.max(...entries.map(([, x]) => x), 1e-300);
   return element("div", { class: "bars" }, entries.map(([name, x, cell]) => element("div", {}, element("span", {}, spaced(name)),
@@ -151,7 +172,7 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 
 /** What summary.json has that no section above knows. */
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
-  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "probes", "estimated_error_energy", "reactions", "overlaps", "load_cases", "envelope"]);
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "probes", "lines", "estimated_error_energy", "reactions", "overlaps", "load_cases", "envelope"]);
 
 const titles = { sanity: "Validity of the theory", membrane: "In the plane" };
 
