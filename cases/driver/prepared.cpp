@@ -33,8 +33,7 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
     }
   };
   for (const auto& [name, x] : file.content.output.probes) check("output.probes." + name, x);
-  for (const auto& [name, ends] : file.content.output.lines)
-    try {
+  for (const auto& [name, ends] : file.content.output.lines) try {
       if (post::sampled_line(name, ends[0], ends[1], plate).places.empty())
         problems.push_back({file.place("output.lines." + name), "output.lines." + name, "does not meet the plate"});
     } catch (const plate::Refused& error) {

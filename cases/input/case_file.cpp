@@ -36,8 +36,8 @@ std::size_t entries(const toml::node* node) {
 std::vector<Problem> too_many(const toml::table& root, const std::string& file) {
   constexpr std::size_t most = 10000;
   std::vector<Problem> problems;
-  for (const std::string key : {"geometry.outline.polygon", "geometry.holes", "geometry.cracks", "output.probes", "output.lines",
-                                "support", "load", "case", "combination", "foundation", "spring"})
+  for (const std::string key : {"geometry.outline.polygon", "geometry.holes", "geometry.cracks", "output.probes",
+                                "output.lines", "support", "load", "case", "combination", "foundation", "spring"})
     if (const auto count = entries(root.at_path(key).node()); count > most)
       problems.push_back({file, key, fmt::format("{} points or entries, must be at most {}", count, most)});
   return problems;

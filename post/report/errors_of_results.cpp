@@ -120,8 +120,7 @@ void set_errors_of_displacements(const Alike& own, const Alike& other, double sh
     group("plane").add("u", own.membrane->largest_displacement, other.membrane->largest_displacement,
                        own.membrane->error);
   // all of a deflection is off where its supports are; moments are so in places
-  for (const auto& [name, differences] : groups)
-    differences.set(name == "bending" || name == "plane" ? 1 : 0.3);
+  for (const auto& [name, differences] : groups) differences.set(name == "bending" || name == "plane" ? 1 : 0.3);
 }
 
 /// Forces, and moments over the size of the plate, of every support by name.

@@ -1,4 +1,5 @@
 // Errors of deflections, stresses, reactions and frequencies that a run states, against runs with finer points.
+#include <algorithm>
 #include <array>
 
 #include "cases/driver/run.hpp"
@@ -6,6 +7,7 @@
 #include "cases/runs/run_plan.hpp"
 #include "post/files/results_in_memory.hpp"
 #include "post/files/summary.hpp"
+#include "post/files/table.hpp"
 #include "tests/catch.hpp"
 
 namespace {
@@ -107,4 +109,38 @@ TEST_CASE("errors of results: none where they are not wanted", "[errors]") {
   CHECK(!without.extremes.at(0).error);
   CHECK(!without.probes.at(0).error);
   CHECK(without.reactions->errors.empty());
+}
+
+TEST_CASE("lines: what is carried across a cut is in balance with the loads beyond it", "[lines]") {
+  for (const std::string formulation : {"galerkin", "ordinary"})
+    for (const bool hole : {false, true}) {
+      const std::string text = section + std::string("[geometry]\noutline = { rectangle = [0.0, 0.0, 1.6, 0.8] }\n") +
+                               (hole ? "holes = [{ circle = [0.6, 0.4, 0.15] }]\n" : "") +
+                               "[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\nin_plane = \"fixed\"\n"
+                               "[[load]]\nkind = \"edge_shear\"\nedges = [\"right\"]\nvalue = 2.0\n"
+                               "[[load]]\nkind = \"edge_traction\"\nedges = [\"right\"]\nvalue = 3.0\n"
+                               "[discretization]\nspacing = 0.025\nformulation = \"" +
+                               formulation +
+                               "\"\n[analysis]\nkind = \"static\"\n[output]\nfields = []\n"
+                               "lines = { cut = [[0.6, 0.0], [0.6, 0.8]], back = [[1.1, 0.8], [1.1, 0.0]] }\n";
+      post::ResultsInMemory tables;
+      const auto found = cases::run(cases::read_case_text(text, "plate", {}), {{}, true, &tables});
+      REQUIRE(found.lines.size() == 10);
+      for (const auto& one : found.lines) {
+        const bool cut = one.probe == "cut";
+        const double force = 2 * 0.8, arm = cut ? 1 : 0.5,
+                     sign = cut ? 1 : -1;  // n is +x of the cut, -x of the way back
+        CAPTURE(formulation, hole, one.probe, one.quantity, one.value);
+        const double expected = one.quantity == "moment"         ? -force * arm
+                                : one.quantity == "shear"        ? sign * force
+                                : one.quantity == "normal_force" ? 3 * 0.8
+                                                                 : 0;
+        CHECK(std::abs(one.value - expected) < 0.02 * std::max(std::abs(expected), 0.8));
+        REQUIRE(one.error);
+      }
+      const auto& lines =
+          std::ranges::find(tables.tables, "lines", &std::pair<std::string, post::Table>::first)->second;
+      CHECK(lines.columns.size() == 19);
+      CHECK(lines.rows.size() == (hole ? 101 - 37 + 101 : 202));
+    }
 }
