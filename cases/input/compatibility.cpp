@@ -231,8 +231,6 @@ const std::vector<Exclusion> excluded_pairs{
     {large_deflections, factors_to_accuracy, "srif.accuracy", of_linear},
     {large_deflections, richardson, "srif.richardson", of_linear},
     {large_deflections, second_formulation, "srif.second_formulation", of_linear},
-    {arc_length, processes, "analysis.control", by_one_process("paths by arc length cannot be followed")},
-    {constant_load, processes, "load", by_one_process("constant loads cannot be held")},
     {arc_length, touching_faces, "analysis.control",
      "\"arc_length\" follows smooth paths, and faces that open and close make kinks: choose \"load\", or remove "
      "cracks.contact"},

@@ -39,10 +39,9 @@ public:
   PetscInverse(const PetscInverse&) = delete;
   PetscInverse& operator=(const PetscInverse&) = delete;
 
-  bool positive() const override { return negative_pivots_ == 0; }
+  std::size_t negative() const override { return std::size_t(negative_pivots_); }
 
   void apply(std::span<double> values) const override {
-    if (without_factor_) throw std::runtime_error(no_factor);
     double* entries = nullptr;
     require(VecGetArrayWrite(right_, &entries));
     for (std::size_t i = 0; i < values.size(); ++i) entries[i] = without_stiffness_[i] ? 0 : values[i];
@@ -109,12 +108,13 @@ private:
   }
 
   /// MUMPS estimates the memory that a process needs, and some more is given: what it lacks it asks for by failing. It
-  /// also fails where the last front of many processes is not positive.
+  /// also fails where the last front of many processes is not positive: then one process takes that.
   void factorise(MPI_Comm all) {
-    constexpr PetscInt more = 14;                      // ICNTL(14): percent above the estimate
+    constexpr PetscInt last_front = 13, more = 14;     // ICNTL: 1: by one process; percent above the estimate
     constexpr PetscInt error = 1, not_positive = -40;  // INFOG(1)
-    constexpr PetscInt negative = 12;                  // INFOG(12): negative pivots
-    for (const PetscInt percent : {50, 200, 1000}) {
+    constexpr PetscInt negative = 12;                  // INFOG(12): negative pivots, but those of a shared last front
+    PetscInt percent = 50, by_one = 0;
+    for (;;) {
       Mat factor = nullptr;
       const bool found = set_up(all, [&](PC inverse) {
         require(PCSetType(inverse, PCCHOLESKY));
@@ -122,15 +122,19 @@ private:
         require(PCFactorSetUpMatSolverType(inverse));
         require(PCFactorGetMatrix(inverse, &factor));
         require(MatMumpsSetIcntl(factor, more, percent));
+        require(MatMumpsSetIcntl(factor, last_front, by_one));
       });
       PetscInt code = 0;
       require(MatMumpsGetInfog(factor, error, &code));
       require(MatMumpsGetInfog(factor, negative, &negative_pivots_));
-      without_factor_ = !found;
-      if (code == not_positive) negative_pivots_ = 1;
-      if (found || code == not_positive) return;
+      if (found) return;
+      if (code == not_positive && by_one == 0)
+        by_one = 1;
+      else if (percent < 1000)
+        percent = percent == 50 ? 200 : 1000;
+      else
+        throw std::runtime_error("MUMPS finds no factor of the stiffness");
     }
-    throw std::runtime_error(no_factor);
   }
 
   /// The rigid motions: w = 1; w = x, theta_y = -1; w = y, theta_x = 1, orthogonal and of length 1.
@@ -161,10 +165,7 @@ private:
     for (auto& motion : motions) require(VecDestroy(&motion));
   }
 
-  static constexpr const char* no_factor = "MUMPS finds no factor of the stiffness";
-
   PetscInt unknowns_, negative_pivots_ = 0;
-  bool without_factor_ = false;
   std::vector<char> without_stiffness_;
   Mat matrix_ = nullptr;
   KSP solver_ = nullptr;

@@ -37,8 +37,8 @@ public:
   /// Applies the inverse to the unknowns of the rank's owned points [3 x points, point by point]. Collective: every
   /// rank must call it.
   virtual void apply(std::span<double> values) const = 0;
-  /// False where the matrix was factorised and is not positive.
-  virtual bool positive() const = 0;
+  /// Number of negative eigenvalues where the matrix was factorised; 0 elsewhere.
+  virtual std::size_t negative() const = 0;
 };
 
 /// Product y = A x of a symmetric matrix and a vector, of the unknowns of the rank. Collective.

@@ -145,13 +145,20 @@ Unknowns owned_unknowns(const Boundary& boundary, std::size_t points) {
   return result;
 }
 
-std::unique_ptr<Factor> distributed_factor(PointMatrix folded, const Boundary& boundary, const Constraints& constraints,
-                                           State free, double shift) {
+std::unique_ptr<Factor> distributed_factor_of_any_sign(PointMatrix folded, const Boundary& boundary,
+                                                       const Constraints& constraints, State free, double shift) {
   const auto own = owned_points(boundary, folded.points());
   const auto number = numbers(boundary.map, folded.points(), own, constraints);
   constraints.fetch(free);
   for (std::size_t k = 0; k < folded.points(); ++k) folded.block[folded.first[k]].diagonal() *= 1 + shift;
   return std::make_unique<Factor>(boundary.map.communicator->inverse(rows(folded, boundary, own, number, free)));
+}
+
+std::unique_ptr<Factor> distributed_factor(PointMatrix folded, const Boundary& boundary, const Constraints& constraints,
+                                           State free, double shift) {
+  auto result = distributed_factor_of_any_sign(std::move(folded), boundary, constraints, std::move(free), shift);
+  if (result->negative() > 0) throw NotPositive("factorisation: the stiffness is not positive");
+  return result;
 }
 
 DistributedFactor::DistributedFactor(const Operator& plate, const Boundary& boundary, const PointMatrix& stiffness,

@@ -40,6 +40,9 @@ Unknowns owned_unknowns(const Boundary& boundary, std::size_t points);
 /// The factor of P^T K P that ranks share, of the points of a plate or of them and its plane. `constraints`: of these,
 /// and with a halo exchange of all points that those here are coupled to. `free`: above 0 where there is stiffness.
 /// `shift` times the diagonal is added. Collective.
+std::unique_ptr<Factor> distributed_factor_of_any_sign(PointMatrix folded, const Boundary& boundary,
+                                                       const Constraints& constraints, State free, double shift = 0);
+/// The same of a matrix that must be positive.
 /// @throws NumericalError  where the matrix is not positive
 std::unique_ptr<Factor> distributed_factor(PointMatrix folded, const Boundary& boundary, const Constraints& constraints,
                                            State free, double shift = 0);

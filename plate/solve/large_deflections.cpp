@@ -150,6 +150,15 @@ double largest_of_points(const Formulation& plate, const Eigen::RowVectorXd& val
   return largest_of(plate, result);
 }
 
+/// The first point that has a value, at the first rank that owns such a point; -1 elsewhere.
+Eigen::Index first_at(const Formulation& plate, const Eigen::RowVectorXd& values, double wanted) {
+  Eigen::Index here = 0;
+  while (here < values.size() && !(plate.boundary().owns(std::size_t(here)) && values[here] == wanted)) ++here;
+  const bool found = here < values.size();
+  const double rank = plate.communicator().rank(), first = -largest_of(plate, found ? -rank : -INFINITY);
+  return found && rank == first ? here : -1;
+}
+
 double largest_deflection(const Formulation& plate, const State& bending) {
   return largest_of_points(plate, bending.row(0).cwiseAbs());
 }
@@ -491,7 +500,8 @@ struct StretchedPlate::Path {
   // by arc length
   std::size_t unstable_modes = 0;
   double length = 0;        // so far
-  Eigen::Index point = -1;  // whose deflection is told; -1: nothing has deflected
+  bool deflected = false;   // already
+  Eigen::Index point = -1;  // whose deflection is told; -1: none, or that of another rank
 
   /// With what heat stores.
   double strain_energy(const Formulation& plate) const {
@@ -589,24 +599,37 @@ struct StretchedPlate::Arc {
   double factor = 1;
   double moved = 0;  // displacement of the loads that grow
   double step = 0;   // next one, of the length of the path
-
-  double dot(const State& other, double other_factor, double thickness) const {
-    return bending.row(0).dot(other.row(0)) / (thickness * thickness * double(other.cols())) + factor * other_factor;
-  }
 };
+
+/// Scalar product of a direction of the path and another one, over all ranks.
+double StretchedPlate::along(const Arc& arc, const State& bending, double factor) const {
+  const double h = plate_.section().thickness;
+  const auto points = plate_.sum_of_points(Eigen::VectorXd::Ones(bending.cols()));
+  const auto squares = plate_.sum_of_points(arc.bending.row(0).cwiseProduct(bending.row(0)).transpose());
+  return squares / (h * h * points) + arc.factor * factor;
+}
+
+/// The factor of the stiffness at a state of a path.
+/// @throws NumericalError  where it is singular
+std::unique_ptr<Factor> StretchedPlate::inverse_of_any_sign(const Path& path) const {
+  auto matrix = stiffness(path.now, *path.loads, path.factor);
+  if (plate_.distributed())
+    return distributed_factor_of_any_sign(std::move(matrix), plate_.boundary(), of_both_,
+                                          stacked(diagonal_, plane_.diagonal()));
+  return std::make_unique<Factor>(Factor::of_any_sign(of_unknowns(matrix, unknowns_)));
+}
 
 /// The direction of the path from an equilibrium on, the way that another one went.
 StretchedPlate::Arc StretchedPlate::look_along(Path& path, const Arc& before) const {
-  const double h = plate_.section().thickness;
-  const auto inverse = Factor::of_any_sign(of_unknowns(stiffness(path.now, *path.loads, path.factor), unknowns_));
+  const auto inverse = inverse_of_any_sign(path);
   const auto loads = by_factor(*path.loads, path.now.bending);
-  const State both = displacements(inverse, unknowns_, of_both_, stacked(loads.across, loads.in_plane));
+  const State both = displacements(*inverse, unknowns_, of_both_, stacked(loads.across, loads.in_plane));
   Arc result{of_plate(both)};
   result.moved = displacement_of(plate_, loads, result.bending, of_plane(both));
-  const double length = std::sqrt(result.dot(result.bending, 1, h));
-  const double share = (before.dot(result.bending, 1, h) < 0 ? -1 : 1) / length;
+  const double length = std::sqrt(along(result, result.bending, 1));
+  const double share = (along(before, result.bending, 1) < 0 ? -1 : 1) / length;
   result.bending *= share, result.factor = share, result.moved *= share, result.step = before.step;
-  path.bytes = inverse.bytes(), path.unstable_modes = inverse.negative(), path.stable = path.unstable_modes == 0;
+  path.bytes = inverse->bytes(), path.unstable_modes = inverse->negative(), path.stable = path.unstable_modes == 0;
   return result;
 }
 
@@ -615,7 +638,6 @@ bool StretchedPlate::correct(Path& path, const Arc& normal, const LargeDeflectio
                              LoadStep& step) const {
   constexpr std::size_t most = 12;
   constexpr double beyond = 1e3;  // the first residual
-  const double h = plate_.section().thickness;
   for (double first = 0;; ++step.iterations) {
     stop_if_asked("large deflections", plate_.constraints());
     step.residual = residual(path.now, *path.loads, path.factor);
@@ -623,19 +645,18 @@ bool StretchedPlate::correct(Path& path, const Arc& normal, const LargeDeflectio
     if (step.residual <= options.tolerance) return true;
     if (first == 0) first = step.residual;
     if (step.iterations >= most || !(step.residual < beyond * first)) return false;
-    const auto lower = of_unknowns(stiffness(path.now, *path.loads, path.factor), unknowns_);
     State change, by_load;
     try {
-      const auto inverse = Factor::of_any_sign(lower);
+      const auto inverse = inverse_of_any_sign(path);
       const auto solve = [&](const Forces& across, const Forces& in_plane) {
-        return of_plate(displacements(inverse, unknowns_, of_both_, stacked(across, in_plane)));
+        return of_plate(displacements(*inverse, unknowns_, of_both_, stacked(across, in_plane)));
       };
       const auto loads = by_factor(*path.loads, path.now.bending);
       change = solve(path.now.left, zero_like(path.now.left)), by_load = solve(loads.across, loads.in_plane);
     } catch (const NumericalError&) {
       return false;  // singular: a shorter step ends elsewhere
     }
-    const double more = -normal.dot(change, 0, h) / normal.dot(by_load, 1, h);
+    const double more = -along(normal, change, 0) / along(normal, by_load, 1);
     if (!std::isfinite(more)) return false;
     path.factor += more;
     path.now = at(*path.loads, path.now.bending + change + more * by_load, path.factor, {});
@@ -671,9 +692,12 @@ void StretchedPlate::add_step(Path& path, LoadStep& step, LargeDeflections& resu
   step.factor = path.factor, step.stable = path.stable, step.arc_length = path.length;
   step.unstable_modes = path.unstable_modes;
   step.strain_energy = path.strain_energy(plate_);
-  step.largest_deflection = deflections.cwiseAbs().maxCoeff();
-  if (path.point < 0 && step.largest_deflection > 0) deflections.cwiseAbs().maxCoeff(&path.point);
-  if (path.point >= 0) step.deflection = deflections[path.point];
+  step.largest_deflection = plate::largest_deflection(plate_, path.now.bending);
+  if (!path.deflected && step.largest_deflection > 0) {
+    path.deflected = true;
+    path.point = first_at(plate_, deflections.cwiseAbs(), step.largest_deflection);
+  }
+  step.deflection = sum_of_all(plate_, path.point >= 0 ? deflections[path.point] : 0);
   result.steps.push_back(step);
 }
 
@@ -720,7 +744,6 @@ void StretchedPlate::follow(Path& path, const LargeDeflectionOptions& options, L
 bool StretchedPlate::advance_along(Path& path, Arc& arc, const LargeDeflectionOptions& options,
                                    LargeDeflections& result) const {
   constexpr double least = 1e-5, most = 1, usual = 5, turned = 0.9;  // lengths; iterations; cosine
-  const double h = plate_.section().thickness;
   for (;; arc.step /= 2) {
     if (arc.step < least) return false;
     LoadStep step;
@@ -737,8 +760,8 @@ bool StretchedPlate::advance_along(Path& path, Arc& arc, const LargeDeflectionOp
     if (!found) continue;
     Arc after = look_along(next, arc);
     const Arc chord{next.now.bending - path.now.bending, next.factor - path.factor};
-    const double length = std::sqrt(chord.dot(chord.bending, chord.factor, h));
-    if (arc.dot(after.bending, after.factor, h) < turned) continue;
+    const double length = std::sqrt(along(chord, chord.bending, chord.factor));
+    if (along(arc, after.bending, after.factor) < turned) continue;
     next.length += length;
     next.work += work_along(path, next, arc, after);
     if (const auto limit = limit_between(path, next, arc, after)) result.limits.push_back(*limit);

@@ -150,6 +150,8 @@ private:
   bool advance(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
   void grow(Path& path, const LargeDeflectionOptions& options, LargeDeflections& result) const;
   double residual(const Now& now, const PlateLoads& loads, double factor) const;
+  std::unique_ptr<Factor> inverse_of_any_sign(const Path& path) const;
+  double along(const Arc& arc, const State& bending, double factor) const;
   Arc look_along(Path& path, const Arc& before) const;
   bool correct(Path& path, const Arc& along, const LargeDeflectionOptions& options, LoadStep& step) const;
   double work_of_constant(const Path& before, const Path& after) const;

@@ -110,9 +110,7 @@ Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool posi
   if (h.common->status != CHOLMOD_OK) throw NotPositive("factorisation: the stiffness is not positive");
 }
 
-Factor::Factor(std::unique_ptr<const DistributedInverse> shared) : shared_(std::move(shared)) {
-  if (!shared_->positive()) throw NotPositive("factorisation: the stiffness is not positive");
-}
+Factor::Factor(std::unique_ptr<const DistributedInverse> shared) : shared_(std::move(shared)) {}
 
 Factor::~Factor() = default;
 Factor::Factor(Factor&&) noexcept = default;
@@ -135,6 +133,7 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
 }
 
 std::size_t Factor::negative() const {
+  if (shared_) return shared_->negative();
   const auto& factor = *handle_->factor;
   if (factor.is_super || factor.is_ll) return 0;
   const auto *first = static_cast<const int*>(factor.p), *end = first + factor.n;

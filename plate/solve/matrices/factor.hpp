@@ -12,8 +12,8 @@ class DistributedInverse;
 /// Cholesky factor of a sparse, symmetric, positive definite matrix (CHOLMOD, supernodal), or of one that ranks share.
 class Factor {
 public:
-  /// The factor of the rows of all ranks; its unknowns here are those of the points that the rank owns, point by point.
-  /// Throws NumericalError where the matrix is not positive.
+  /// The factor of the rows of all ranks, of any sign; its unknowns here are those of the points that the rank owns,
+  /// point by point.
   explicit Factor(std::unique_ptr<const DistributedInverse> shared);
   /// `lower`: the lower triangle, its unknowns in the order of elimination. `shift` times the diagonal is added to it.
   /// Throws NumericalError where the matrix is not positive.

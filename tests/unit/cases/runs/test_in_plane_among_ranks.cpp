@@ -186,12 +186,15 @@ TEST_CASE("a plate in parts: frequencies under loads in the plane and buckling")
   }
 }
 
-TEST_CASE("a plate in parts: large deflections at rest") {
+TEST_CASE("a plate in parts: large deflections at rest, of bonds beside constant loads") {
   const bool bonds = GENERATE(false, true);
   INFO((bonds ? "bonds" : "Galerkin"));
   auto settings = analysed("{kind='static',nonlinear=true,tolerance=1e-10}", bonds);
   settings.emplace_back(
       "support=[{kind='simply_supported',edges=['bottom'],in_plane='fixed'},{kind='simply_supported',edges=['top']}]");
+  if (bonds)
+    settings.emplace_back(
+        "load=[{kind='edge_traction',edges=['top'],value=1,shear=0.2},{kind='pressure',value=0.1,constant=true}]");
   const auto file = read(plain, settings);
   const auto ordinary = found(file, 0);
   for (const int processes : {1, 2}) {
@@ -201,5 +204,31 @@ TEST_CASE("a plate in parts: large deflections at rest") {
     CHECK(many.warnings == ordinary.warnings);
     CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-9);
     CHECK(apart(ordinary, many, "probes", {"w", "u", "v"}) < 1e-9);
+  }
+}
+
+TEST_CASE("a plate in parts: a path by arc length over limit points, beside constant loads") {
+  const auto file =
+      read(plain,
+           {"section={young=1.0,poisson=0.0,thickness=0.01,thermal_expansion=1.0}",
+            "geometry={outline={rectangle=[0.0,0.0,1.0,0.2]}}", "discretization={spacing=0.05,formulation='galerkin'}",
+            "support=[{kind='simply_supported',edges=['left','right'],in_plane='normal'},"
+            "{kind='symmetry',edges=['bottom','top'],in_plane='normal'}]",
+            "load=[{kind='temperature',mean=2.0561675835602828e-4,constant=true},"
+            "{kind='pressure',value=2.4352272758500609e-8,constant=true},{kind='pressure',value=-1.2e-7}]",
+            "analysis={kind='static',nonlinear=true,control='arc_length',tolerance=1e-10}"});
+  const auto ordinary = found(file, 0);
+  const auto& steps = ordinary.numbers.at("load_steps");
+  std::set<double> modes;
+  for (const auto& row : steps.rows) modes.insert(std::get<double>(row[steps.column("unstable_modes")]));
+  REQUIRE(modes == std::set{0.0, 1.0});
+  for (const int processes : {1, 3}) {
+    INFO(processes << " processes");
+    const auto many = found(file, processes);
+    CHECK(many.warnings == ordinary.warnings);
+    CHECK(apart(steps, many.numbers.at("load_steps"),
+                {"factor", "largest_deflection", "strain_energy", "arc_length", "deflection", "unstable_modes"}) <
+          1e-9);
+    CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-9);
   }
 }

@@ -90,21 +90,25 @@ public:
     for (std::int64_t k = 0; k < own; ++k)
       for (auto b = rows.first[std::size_t(k)]; b < rows.first[std::size_t(k) + 1]; ++b)
         for (std::int64_t i = 0; i < 9; ++i)
-          entries.push_back({begin_ + 3 * k + i / 3, 3 * rows.column[b] + i % 3, rows.block[9 * b + std::size_t(i)]});
+          if (const double value = rows.block[9 * b + std::size_t(i)]; value != 0)
+            entries.push_back({begin_ + 3 * k + i / 3, 3 * rows.column[b] + i % 3, value});
     const auto size = 3 * std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
     Eigen::SparseMatrix<double> matrix(size, size);
     std::vector<Eigen::Triplet<double>> triplets;
-    for (const auto& e : plate::gathered(all, entries)) triplets.emplace_back(int(e.row), int(e.column), e.value);
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
-    without_stiffness_ = Eigen::VectorXd(matrix.diagonal()).array() == 0;
+    without_stiffness_.setConstant(size, true);
+    for (const auto& e : plate::gathered(all, entries)) {
+      triplets.emplace_back(int(e.row), int(e.column), e.value);
+      if (e.row == e.column) without_stiffness_[e.row] = false;
+    }
     for (int i = 0; i < size; ++i)
-      if (without_stiffness_[i]) matrix.coeffRef(i, i) = 1;
+      if (without_stiffness_[i]) triplets.emplace_back(i, i, 1);
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
     const Eigen::SparseMatrix<double> skew = matrix - Eigen::SparseMatrix<double>(matrix.transpose());
     if (!(skew.norm() < 1e-12 * matrix.norm())) throw std::logic_error("the rows are not those of a symmetric matrix");
     factor_.compute(matrix);
   }
 
-  bool positive() const override { return (factor_.vectorD().array() > 0).all(); }
+  std::size_t negative() const override { return std::size_t((factor_.vectorD().array() < 0).count()); }
 
   void apply(std::span<double> values) const override {
     auto right = plate::gathered(all_, std::vector<double>(values.begin(), values.end()));
