@@ -280,8 +280,6 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, richardson, "srif.richardson", of_uncoupled},
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
     {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
-    {pressed_stiffener, processes, "stiffener",
-     by_one_process("axial forces of stiffeners cannot bear on deflections")},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
     {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},

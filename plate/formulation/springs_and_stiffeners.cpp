@@ -129,7 +129,8 @@ void add_stiffener(const Stiffener& stiffener, PlateLaw law, const geometry::Tes
   for_elements(stiffener, cells, [&](const Node& a, const Node& b) { add_element(stiffener, law, a, b, sum); });
 }
 
-std::vector<AxialElement> axial_elements(const Problem& problem, const geometry::Tessellation& cells) {
+std::vector<AxialElement> axial_elements(const Problem& problem, const geometry::Tessellation& cells,
+                                         const PointMap& map) {
   std::vector<AxialElement> result;
   const auto terms_of = [](const Sum& form) {
     std::vector<FormTerm> terms;
@@ -139,7 +140,11 @@ std::vector<AxialElement> axial_elements(const Problem& problem, const geometry:
   };
   for (const auto& beam : problem.stiffeners) {
     if (!beam.stretches()) continue;
+    const auto owned = [&](const Node& node) {
+      return std::ranges::any_of(node.shares, [&](const Share& share) { return map.owns(share.point); });
+    };
     for_elements(beam, cells, [&](const Node& a, const Node& b) {
+      if (!owned(a) && !owned(b)) return;
       const Point way = b.at - a.at, along = way.normalized();
       Sum pull, rise;
       add_slope(b, along, -1, pull), add_slope(a, along, 1, pull);  // (u, v) = -psi of the plane
@@ -164,9 +169,9 @@ std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tes
   return result;
 }
 
-ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const State& bending,
-                                const State& in_plane) {
-  const auto elements = axial_elements(problem, cells);
+ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const PointMap& map,
+                                const State& bending, const State& in_plane) {
+  const auto elements = axial_elements(problem, cells, map);
   if (elements.empty()) return {};
   ElasticSupportSum sum(cells.positions.size());
   for (const auto& element : elements) {

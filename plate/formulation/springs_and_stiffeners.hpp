@@ -28,8 +28,9 @@ struct AxialElement {
   std::vector<FormTerm> pull;  // elongation by a plane, or by rotations of the plate at z = 1
   std::vector<FormTerm> rise;  // difference of the deflections of the ends
 };
-/// Elements of all stiffeners that act in the plane.
-std::vector<AxialElement> axial_elements(const Problem& problem, const geometry::Tessellation& cells);
+/// Elements of all stiffeners that act in the plane, as far as points that the rank owns carry them.
+std::vector<AxialElement> axial_elements(const Problem& problem, const geometry::Tessellation& cells,
+                                         const PointMap& map = {});
 
 /// Mass of all stiffeners at every point times a power of the z of their axes [mass length^power]; empty where none has
 /// any.
@@ -37,8 +38,8 @@ std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tes
 
 /// Resistance of the axial forces of stiffeners to deflections, N (w')^2 / 2 along them, by a plate and its plane in a
 /// state. Negative in compression.
-ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const State& bending,
-                                const State& in_plane);
+ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const PointMap& map,
+                                const State& bending, const State& in_plane);
 
 /// Constructs all foundations and springs of a problem on points in the middles of cells.
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud);

@@ -143,7 +143,7 @@ public:
     auto plane = std::make_unique<GalerkinStretching>(
         families, sections(),
         section().couples() ? std::optional(galerkin_coupling(families, section())) : std::nullopt);
-    auto beams = axial_elements(problem(), cells_);
+    auto beams = axial_elements(problem(), cells_, boundary().map);
     if (beams.empty()) return plane;
     return std::make_unique<StretchedStiffeners>(std::move(plane), std::move(beams));
   }
@@ -208,7 +208,7 @@ PointMatrix GalerkinPlate::with_coupling_forces(PointMatrix geometric, const Sta
     couple(moments, forces, section());
     plate::add(GalerkinStretching(op_.families(), sections()).stiffness_of_forces(forces.moments), 1, geometric);
   }
-  return with(std::move(geometric), axial_forces_of(problem(), cells_, bending, in_plane));
+  return with(std::move(geometric), axial_forces_of(problem(), cells_, boundary().map, bending, in_plane));
 }
 
 std::unique_ptr<Preconditioner> GalerkinPlate::multigrid() const {

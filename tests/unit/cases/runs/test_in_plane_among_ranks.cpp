@@ -232,3 +232,23 @@ TEST_CASE("a plate in parts: a path by arc length over limit points, beside cons
     CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-9);
   }
 }
+
+TEST_CASE("a plate in parts: axial forces of stiffeners in buckling, frequencies and large deflections in motion") {
+  const std::string ribs =
+      "stiffener=[{along=[[-0.42,-0.7],[0.35,0.8]],bending=0.05,axial=30.0,mass=0.1},"
+      "{edges=['left'],bending=0.05,axial=20.0}]";
+  auto moving = analysed("{kind='dynamic',method='central_difference',duration=0.1,nonlinear=true}", false),
+       buckling = with_modes("{kind='buckling',modes=3,tolerance=1e-8}", false),
+       vibrating = with_modes("{kind='frequencies',modes=3,tolerance=1e-8}", false);
+  moving.insert(moving.end(), {ribs, "section.density=1", "output.history_every=0.02"});
+  buckling.push_back(ribs), vibrating.push_back(ribs);
+  const auto in_motion = read(plain, moving), pressed = read(plain, buckling), modes = read(plain, vibrating);
+  const auto motion = found(in_motion, 0), factors = found(pressed, 0), frequencies = found(modes, 0);
+  for (const int processes : {1, 3}) {
+    INFO(processes << " processes");
+    CHECK(apart(motion, found(in_motion, processes), "history", {"strain_energy", "kinetic_energy", "max_abs_w"}) <
+          1e-11);
+    CHECK(apart(factors, found(pressed, processes), "buckling", {"factor"}) < 1e-11);
+    CHECK(apart(frequencies.frequencies, found(modes, processes).frequencies, {"frequency"}) < 1e-11);
+  }
+}
