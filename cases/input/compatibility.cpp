@@ -41,9 +41,9 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
     {coupled_section, "plies that are not symmetric or have `alpha1` or `alpha2`, or a stiffener with `eccentricity`"},
+    {coupled_modes, "frequencies or buckling of such plies or stiffeners"},
     {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
-    {pressed_stiffener, "`stiffener.axial` in motion, with large deflections, buckling or frequencies"},
     {factors_to_accuracy, "`srif.accuracy`"},
     {richardson, "`srif.richardson`"},
     {second_formulation, "`srif.second_formulation`"},
@@ -279,7 +279,8 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, factors_to_accuracy, "srif.accuracy", of_uncoupled},
     {coupled_section, richardson, "srif.richardson", of_uncoupled},
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
-    {coupled_section, processes, "section", by_one_process("coupled bending and stretching cannot be found")},
+    {coupled_modes, processes, "analysis.kind",
+     by_one_process("modes of coupled bending and stretching cannot be found")},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
     {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},
@@ -366,10 +367,10 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
   add(content.coupled(), coupled_section);
+  add(content.coupled() && (a.kind == Kind::frequencies || a.kind == Kind::buckling), coupled_modes);
   add(content.section.heavier_on_one_side(), heavier_on_one_side);
   const bool axial = std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches);
   add(axial, axial_stiffener);
-  add(axial && plate::has_plane(content) && (a.kind != Kind::static_ || a.nonlinear), pressed_stiffener);
   if (const auto& srif = content.srif) {
     add(srif->accuracy.has_value(), factors_to_accuracy);
     add(srif->richardson, richardson);

@@ -86,12 +86,11 @@ std::unique_ptr<const Operator> CoupledPlate::stiffness(const Formulation& plate
 
 CoupledPlate::CoupledPlate(const Formulation& plate, const Formulation& membrane)
     : plate_(plate), membrane_(membrane), coupling_(plate.coupling()) {
-  constraints_.add(plate.constraints(), 0);
-  constraints_.add(pinned(membrane), std::uint32_t(plate.points()));
-  constraints_.resolve();
+  constraints_ = stacked(plate.constraints(), pinned(membrane), plate.points());
   both_ = std::make_unique<const Both>(plate, membrane, coupling_);
   factor_ = std::make_unique<const AssembledPlate>(*both_, constraints_,
-                                                   stacked_matrix(plate.stiffness(), membrane.stiffness(), coupling_));
+                                                   stacked_matrix(plate.stiffness(), membrane.stiffness(), coupling_),
+                                                   plate.distributed() ? &plate.boundary() : nullptr);
 }
 
 CoupledPlate::~CoupledPlate() = default;
@@ -135,7 +134,8 @@ CoupledEquilibrium CoupledPlate::equilibrium(const PlateLoads& loads, const Stat
   result.on_bending = -product(coupling_, result.membrane), result.on_membrane = -product(coupling_, result.bending);
   result.bending_energy = plate_.strain_energy(result.bending);
   result.stretching_energy = membrane_.strain_energy(result.membrane);
-  result.coupling_energy = -result.on_bending.cwiseProduct(result.bending).sum();
+  result.coupling_energy =
+      -plate_.sum_of_points(result.on_bending.cwiseProduct(result.bending).colwise().sum().transpose());
   if (rigid.cols() > 0) result.strained = result.bending, result.bending += rigid;
   return result;
 }

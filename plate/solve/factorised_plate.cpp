@@ -51,10 +51,16 @@ Forces folded_diagonal(const Operator& plate, const Constraints& constraints) {
   return diagonal;
 }
 
-AssembledPlate::AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& stiffness)
+AssembledPlate::AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& stiffness,
+                               const Boundary* shared)
     : constraints_(constraints) {
-  const PointMatrix matrix = folded(stiffness, constraints);
+  PointMatrix matrix = folded(stiffness, constraints);
   const Forces diagonal = folded_diagonal(plate, constraints);
+  if (shared) {
+    unknowns_ = owned_unknowns(*shared, matrix.points());
+    factor_ = distributed_factor(std::move(matrix), *shared, constraints, diagonal);
+    return;
+  }
   unknowns_ = unknowns(diagonal, elimination_order(matrix, diagonal));
   factor_ = std::make_unique<Factor>(of_unknowns(matrix, unknowns_));
 }

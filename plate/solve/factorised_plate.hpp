@@ -14,8 +14,10 @@ class DistributedInverse;
 /// The plate itself, assembled and factorised: conjugate gradients with it end after one or two iterations.
 class AssembledPlate : public Preconditioner {
 public:
-  /// `stiffness`: K of all degrees of freedom. `plate`: for its diagonal. `constraints` must outlive this.
-  AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& stiffness);
+  /// `stiffness`: K of all degrees of freedom. `plate`: for its diagonal. `constraints` must outlive this. `shared`: of
+  /// the plate, where ranks share it; as of distributed_factor(). Collective there.
+  AssembledPlate(const Operator& plate, const Constraints& constraints, const PointMatrix& stiffness,
+                 const Boundary* shared = nullptr);
 
   void apply(const Forces& residual, State& result) const override;
 

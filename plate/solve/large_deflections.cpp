@@ -792,7 +792,9 @@ LargeDeflections StretchedPlate::equilibrium(const PlateLoads& loads, const Larg
   result.external_work = path.work;
   result.bending_energy = now.bending_energy, result.membrane_energy = now.membrane_energy;
   if (plate_.problem().coupled()) {  // linear in the rotations, on which nothing else of the plane acts
-    result.coupling_energy = -now.on_bending.bottomRows(2).cwiseProduct(now.bending.bottomRows(2)).sum();
+    State turned = now.bending;
+    turned.row(0).setZero();
+    result.coupling_energy = -work(plate_, now.on_bending, turned);
     result.membrane_energy -= result.coupling_energy;
   }
   result.stored_by_deflections = stored_by_deflections(plate_, loads, 1, now.bending);

@@ -10,6 +10,7 @@
 #include "plate/formulation/sections.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
@@ -120,12 +121,15 @@ double StretchedMotion::energy_in_plane(const State& state) const {
   if (growing_) return half_work(growing_->membrane, membrane);
   if (stretching_) return membrane_.sum_of_points(stretching_->energies(of_plate(state), membrane));
   const double alone = membrane_.strain_energy(membrane);
-  return linear_ ? alone + of_plate(state).cwiseProduct(product(coupling_, membrane)).sum() : alone;
+  if (!linear_) return alone;
+  return alone + membrane_.sum_of_points(
+                     of_plate(state).cwiseProduct(product(coupling_, membrane)).colwise().sum().transpose());
 }
 
 double StretchedMotion::coupling_energy(const State& state) const {
   if (!linear_) return 0;
-  return -on_bending(state).bottomRows(2).cwiseProduct(of_plate(state).bottomRows(2)).sum();
+  const State force = on_bending(state), bending = of_plate(state);
+  return -plate_.sum_of_points(force.bottomRows(2).cwiseProduct(bending.bottomRows(2)).colwise().sum().transpose());
 }
 
 double StretchedMotion::strain_energy(const State& state) const {
@@ -156,7 +160,7 @@ TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts
 State StretchedMotion::at_rest(const Analysis& analysis) const {
   if (linear_) {
     const PlateLoads loads{plate_.first_load(), membrane_.first_load()};
-    if (loads.across.isZero(0) && loads.in_plane.isZero(0)) return {};
+    if (largest_of(plate_, loads.across.isZero(0) && loads.in_plane.isZero(0) ? 0 : 1) == 0) return {};
     auto found = CoupledPlate(plate_, membrane_)
                      .equilibrium(loads, {StaticOptions{}.tolerance, analysis.max_iterations, {}})
                      .of_both;

@@ -252,3 +252,35 @@ TEST_CASE("a plate in parts: axial forces of stiffeners in buckling, frequencies
     CHECK(apart(frequencies.frequencies, found(modes, processes).frequencies, {"frequency"}) < 1e-11);
   }
 }
+
+TEST_CASE("a plate in parts: bending and stretching coupled by plies or stiffeners, at rest and in motion") {
+  const std::string
+      rib = "stiffener=[{along=[[-0.42,-0.7],[0.35,0.8]],bending=0.05,axial=30.0,eccentricity=0.15}]",
+      ply = "thickness=0.1,E1=1000.0,E2=300.0,nu12=0.25,G12=200.0,G13=200.0,G23=150.0,alpha1=1e-4,alpha2=3e-4",
+      plies = "section={plies=[{angle=30.0," + ply + "},{angle=-60.0," + ply + "}]}";
+  const std::string heat = "{kind='temperature',mean=1.0,value=5.0}", at_rest = "{kind='static',tolerance=1e-10}";
+  auto ribbed = analysed(at_rest, false), plied = ribbed, cases = ribbed,
+       moving = analysed("{kind='dynamic',method='central_difference',duration=0.1}", false);
+  ribbed.push_back(rib), moving.insert(moving.end(), {rib, "section.density=1", "output.history_every=0.02"});
+  for (auto* settings : {&plied, &cases}) {
+    std::erase_if(*settings,
+                  [](const std::string& one) { return one.starts_with("s") && !one.starts_with("support"); });
+    settings->push_back(plies);
+  }
+  plied.push_back("load=[{kind='edge_traction',edges=['top'],value=1}," + heat + "]");
+  cases.insert(cases.end(), {"-load",
+                             "case=[{name='pull',load=[{kind='edge_traction',edges=['top'],value=1}]},"
+                             "{name='heat',load=[" +
+                                 heat + "]}]"});
+  for (const auto& settings : {ribbed, plied, cases, moving}) {
+    const auto file = read(plain, settings);
+    const auto ordinary = found(file, 0);
+    for (const int processes : {1, 3}) {
+      INFO(processes << " processes, " << settings.back());
+      const auto many = found(file, processes);
+      CHECK(many.warnings == ordinary.warnings);
+      CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-9);
+      CHECK(apart(ordinary, many, "probes", {"w", "u", "v"}) < 1e-9);
+    }
+  }
+}
