@@ -7,6 +7,8 @@
 #include "cases/driver/prepared.hpp"
 #include "cases/driver/recording.hpp"
 #include "cases/input/formulations.hpp"
+#include "cases/runs/cost_estimate.hpp"
+#include "cases/runs/membrane.hpp"
 #include "cases/runs/outputs.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
@@ -42,15 +44,56 @@ post::AccuracyTrial trial_in_motion(ValidatedPlate& ready, const plate::Analysis
   return result;
 }
 
+/// Solves a plate at rest. Throws plate::NumericalError, with these words, where no equilibrium is found.
+plate::StaticResult solved_at_rest(const plate::Formulation& plate, const plate::Analysis& analysis,
+                                   const std::string& when) {
+  auto result = plate::static_solution(plate, analysis, {analysis.tolerance, analysis.max_iterations, {}});
+  const auto& solution = result.solution;
+  if (!solution.converged)
+    throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e}", when, solution.stop_reason, solution.residual));
+  return result;
+}
+
+/// Corrects factors of tips at which faces of a crack touch; those in the plane are N1 and N2 as K1 and K2.
+void close_tips(std::vector<post::Srif>& bending, std::vector<post::Srif>& in_plane,
+                const std::vector<post::ClosedTip>& closed, const plate::Section& section) {
+  post::add_membrane(bending, in_plane, section);
+  post::close(bending, closed, section);
+  for (auto& srif : bending) {
+    const auto same = [&](const post::Srif& one) { return one.tip == srif.tip && one.method == srif.method; };
+    const auto found = std::ranges::find_if(in_plane, same);
+    if (found == in_plane.end() || !srif.membrane) continue;
+    const auto& [N, errors, resolved, G, thickness] = *srif.membrane;
+    found->K1 = N[0], found->K2 = N[1], found->G = G;
+    for (std::size_t i = 0; i < N.size(); ++i) found->errors[i] = errors[i], found->resolved[i] = resolved[i];
+  }
+}
+
+/// Solves a plate at rest with contact of the faces of its cracks. The solution without contact stays with it.
+post::AccuracyTrial trial_in_contact(ValidatedPlate& ready, const plate::Analysis& analysis,
+                                     const post::SrifOptions& options, const std::string& when) {
+  const auto &plate = *ready.plate, &membrane = *ready.membrane;
+  ready.solution = solved_at_rest(plate, analysis, when);
+  auto bending = *ready.solution;
+  const std::optional wanted(options);
+  auto found = with_contact(plate, membrane, analysis, {wanted, ready.membrane_methods}, bending);
+  ready.stopwatch.lap("solve");
+  const auto heat = plate::heat_of(plate, 1);
+  auto factors = post::srifs(plate, options, ready.tip_methods, bending.what_strains(), true, &heat);
+  close_tips(factors, found.in_plane.factors, found.faces.closed, plate.section());
+  post::AccuracyTrial result{&plate, {}, {}, plate.strain_energy(bending.what_strains()), 0};
+  result.rows = {std::move(factors)}, result.rows_in_plane = {std::move(found.in_plane.factors)};
+  result.energy_in_plane = found.in_plane.summary.strain_energy - found.in_plane.stored;
+  ready.stopwatch.lap("srif");
+  return result;
+}
+
 }  // namespace
 
 FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector<post::TipMethods>& methods,
                               const plate::Analysis& analysis, const post::SrifOptions& options,
                               const std::string& when) {
-  auto result = plate::static_solution(plate, analysis, {analysis.tolerance, analysis.max_iterations, {}});
-  const auto& solution = result.solution;
-  if (!solution.converged)
-    throw plate::NumericalError(fmt::format("{}: {}, residual {:.2e}", when, solution.stop_reason, solution.residual));
+  auto result = solved_at_rest(plate, analysis, when);
   const auto heat = plate::heat_of(plate, 1);
   auto factors = post::srifs(plate, options, methods, result.what_strains(), true, &heat);
   return {std::move(result), std::move(factors)};
@@ -58,18 +101,21 @@ FactorsAtRest factors_at_rest(const plate::Formulation& plate, const std::vector
 
 post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis, const post::SrifOptions& options) {
   plate::stop_if_asked("the search for srif.accuracy", ready.plate->constraints());
+  const auto where = fmt::format("on the way to srif.accuracy, {} points", ready.plate->points());
+  const bool touch = ready.plate->problem().faces_touch();
   post::AccuracyTrial result{ready.plate.get(), {}, {}, 0, 0};
   if (analysis.kind == plate::Analysis::Kind::dynamic) {
     result = trial_in_motion(ready, analysis, options);
+  } else if (touch) {
+    result = trial_in_contact(ready, analysis, options, where);
   } else {
-    const auto where = fmt::format("on the way to srif.accuracy, {} points", ready.plate->points());
     auto [equilibrium, factors] = factors_at_rest(*ready.plate, ready.tip_methods, analysis, options, where);
     ready.stopwatch.lap("solve");
     result.strain_energy = ready.plate->strain_energy(equilibrium.what_strains());
     ready.solution = std::move(equilibrium), result.rows = {std::move(factors)};
     ready.stopwatch.lap("srif");
   }
-  if (const auto& membrane = ready.membrane) {
+  if (const auto& membrane = ready.membrane; membrane && !touch) {
     auto [equilibrium, factors] = factors_at_rest(*membrane, ready.membrane_methods, analysis, options,
                                                   "in the plane on the way to srif.accuracy");
     result.energy_in_plane = membrane->strain_energy(equilibrium.solution.state);
@@ -170,11 +216,12 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
                                                      std::vector<std::string>& warnings) {
   CaseFile coarse = file;
   Case& c = coarse.content;
-  c.discretization.spacing *= 2, c.srif->richardson = c.srif->second_formulation = false;
-  c.output.vtk = c.output.hdf5 = false, c.output.probes.clear();
+  c.discretization = widened(c.discretization, 2);
+  c.srif->richardson = c.srif->second_formulation = false;
+  c.output.vtk = c.output.hdf5 = c.output.errors = false, c.output.probes.clear();
   std::vector<std::vector<post::Srif>> rows;
   std::vector<bool> works;
-  if (!c.load_cases.empty()) {
+  if (!c.load_cases.empty() || c.faces_touch()) {
     post::ResultsInMemory unused;
     const Prepared prepared(std::move(coarse), *options.communicator);
     try {

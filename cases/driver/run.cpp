@@ -100,6 +100,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
     others.coarser = coarser_factors(file, options, prepared.warnings), stopwatch.lap("srif");
   if (second) {
     others.formulation = second->file.content.discretization.formulation->name;
+    others.closed = c.faces_touch();
     auto part = options.part(others.formulation);
     part.resume = false;
     others.second = factors_of_run(*second, part);

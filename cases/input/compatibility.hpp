@@ -30,6 +30,8 @@ enum class Part {
   arc_length,
   constant_load,
   touching_faces,
+  touching_bonds,
+  touching_in_motion,
   buckling,
   unilateral_foundation,
   temperature,

@@ -80,9 +80,6 @@ void add_stretching(const Case& content, std::vector<Asked>& found) {
   if (content.faces_touch())
     found.push_back({"contact of crack faces", "cracks.contact", Feature::touching_faces, true,
                      "choose that or formulation = \"galerkin\""});
-  if (content.faces_touch() && (content.moves() || content.growth))
-    found.push_back({content.growth ? "contact of cracks that grow" : "contact of crack faces in motion",
-                     "cracks.contact", Feature::moving_faces, true, "choose formulation = \"galerkin\""});
   if (content.analysis.kind == Analysis::Kind::buckling) add("buckling", "analysis.kind");
   const bool loaded = plate::loaded_in_plane(content);
   if (loaded && content.analysis.kind == Analysis::Kind::frequencies)

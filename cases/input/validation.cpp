@@ -187,8 +187,8 @@ std::vector<KeyError> errors_in_accuracy(const plate::Problem& problem, const An
                  "): remove it or that");
   else if (analysis.kind == Analysis::Kind::dynamic && analysis.method != Analysis::Method::lanczos)
     report_error(
-        "moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety, loads "
-        "in the plane)");
+        "moves the plate by Lanczos vectors: remove what asks for steps (analysis.method, time_step, safety, "
+        "cracks.contact, loads in the plane)");
   using enum post::SrifMethod;
   for (const auto method : {virtual_crack_extension, domain_integral, series_fit})
     if (std::ranges::find(srif->methods, method) == srif->methods.end())

@@ -222,9 +222,9 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
     one.srif =
         fracture::of_all(plate_, post::srifs(plate_, *content().srif, ready_.tip_methods, strained, true, &heat));
   if (in_plane) post::add_membrane(one.srif, in_plane->factors, plate_.section());
+  if (touching) post::close(one.srif, post::closed_tips(*touching, plate_), plate_.section());
   ready_.other_factors.widen_row(found_.size(), one.srif, plate_.section().thickness);
   if (one.superposed()) post::widen_errors(one.srif, parts_of(one, false), plate_.section().thickness);
-  if (touching) post::close(one.srif, post::closed_tips(*touching, plate_), plate_.section());
   post::require_finite(one.srif, when);
   post::append(srifs_, number, one.srif);
   for (const auto& srif : one.srif)

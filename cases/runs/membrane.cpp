@@ -452,10 +452,8 @@ std::vector<std::string> warnings_about_rotations(double largest) {
 }
 
 bool may_touch(const Case& c, const plate::Formulation& plate) {
-  const bool moves = c.moves() || c.growth;
   return !c.coupled() && !plate.distributed() && c.analysis.control == plate::LoadControl::load &&
-         (!c.growth || c.grows_at_rest()) &&
-         plate.offers(moves ? plate::Feature::moving_faces : plate::Feature::touching_faces);
+         (!c.growth || c.grows_at_rest()) && plate.offers(plate::Feature::touching_faces);
 }
 
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch) {

@@ -239,7 +239,6 @@ std::map<Feature, std::string> lacks(const std::string& nodes) {
           {Feature::any_direction, nodes + " are of edges along the axes"},
           {Feature::stretching, asymmetric + "loads in the plane act on bending with boundary = \"images\""},
           {Feature::touching_faces, asymmetric + "contact of crack faces is found with boundary = \"images\""},
-          {Feature::moving_faces, asymmetric + "motion on it would grow"},
           {Feature::graded_points, "needs the Galerkin plate, whose points can be graded"},
           {Feature::short_horizon, asymmetric + "it is solved directly"},
           {Feature::levels, asymmetric + "it is solved directly"},

@@ -90,8 +90,7 @@ enum class Feature {
   in_plane,        // loads and displacements in the plane, at rest
   stretching,      // what couples both: large deflections, buckling; motion, frequencies under loads there
   touching_faces,  // of cracks: contact
-  hubs_in_holes,   // rigid discs that fill holes
-  moving_faces     // contact of cracks in motion, or that grow
+  hubs_in_holes    // rigid discs that fill holes
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

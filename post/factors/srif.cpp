@@ -14,19 +14,28 @@ double difference(const Srif& a, const Srif& b, double thickness) {
   return std::max({std::abs(a.K1 - b.K1), std::abs(a.K2 - b.K2), std::abs(a.K3 - b.K3) * thickness});
 }
 
-/// The errors are at least the differences from another result.
-void at_least(Srif& srif, const std::array<double, 3>& other) {
+/// The errors are at least the differences from another result, and what is added to these.
+void at_least(Srif& srif, const std::array<double, 3>& other, const std::array<double, 3>& added = {}) {
   const std::array own{srif.K1, srif.K2, srif.K3};
   for (std::size_t i = 0; i < 3; ++i)
-    srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]));
+    srif.errors[i] = std::max(srif.errors[i].value_or(0), std::abs(own[i] - other[i]) + added[i]);
 }
 
-/// The errors in the plane are at least the differences from another result; a factor is not resolved where its error
-/// is above a tenth of the largest.
-void at_least(MembraneFactors& membrane, const MembraneFactors& other) {
+/// The smaller errors of two results.
+template <std::size_t count>
+std::array<double, count> smaller(const std::array<std::optional<double>, count>& one,
+                                  const std::array<std::optional<double>, count>& other) {
+  std::array<double, count> result{};
+  for (std::size_t i = 0; i < count; ++i) result[i] = std::min(one[i].value_or(0), other[i].value_or(0));
+  return result;
+}
+
+/// The errors in the plane are at least the differences from another result, and what is added to these; a factor is
+/// not resolved where its error is above a tenth of the largest.
+void at_least(MembraneFactors& membrane, const MembraneFactors& other, const std::array<double, 2>& added = {}) {
   const double largest = std::max(std::abs(membrane.N[0]), std::abs(membrane.N[1]));
   for (std::size_t i = 0; i < 2; ++i) {
-    const double error = std::max(membrane.errors[i].value_or(0), std::abs(membrane.N[i] - other.N[i]));
+    const double error = std::max(membrane.errors[i].value_or(0), std::abs(membrane.N[i] - other.N[i]) + added[i]);
     membrane.errors[i] = error;
     membrane.resolved[i] = membrane.resolved[i] && error <= lost * largest;
   }
@@ -113,7 +122,7 @@ void widen(Srif& srif, double error, double thickness) {
   if (srif.estimated_error && largest > 0) *srif.estimated_error += error / largest;
 }
 
-void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness) {
+void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness, bool closed) {
   const double largest = std::max(largest_factor(srif, thickness), largest_factor(other, thickness));
   const double relative = largest > 0 ? difference(srif, other, thickness) / largest : 0;
   srif.second = {formulation, other.method, other.K1, other.K2, other.K3, relative, std::nullopt};
@@ -122,12 +131,15 @@ void compare_with(Srif& srif, const Srif& other, const std::string& formulation,
     const double most = std::max({std::abs(N[0]), std::abs(N[1]), std::abs(others[0]), std::abs(others[1])});
     const double apart = std::max(std::abs(N[0] - others[0]), std::abs(N[1] - others[1]));
     srif.second->in_plane = SecondInPlane{others, most > 0 ? apart / most : 0};
-    at_least(*srif.membrane, *other.membrane);
+    at_least(*srif.membrane, *other.membrane,
+             closed ? smaller(srif.membrane->errors, other.membrane->errors) : std::array<double, 2>{});
     resolve_together(srif, thickness);
   }
   if (largest == 0) return;
-  srif.estimated_error = std::max(srif.estimated_error.value_or(0), relative);
-  at_least(srif, {other.K1, other.K2, other.K3});
+  const auto added = closed ? smaller(srif.errors, other.errors) : std::array<double, 3>{};
+  const double most = std::max({added[0], added[1], added[2] * thickness}) / largest;
+  srif.estimated_error = std::max(srif.estimated_error.value_or(0), relative + most);
+  at_least(srif, {other.K1, other.K2, other.K3}, added);
 }
 
 void add_membrane(std::vector<Srif>& bending, const std::vector<Srif>& membrane, const plate::Section& section) {

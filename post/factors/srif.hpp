@@ -140,8 +140,8 @@ void widen(Srif& srif, const Srif& coarser, double thickness);
 void widen(Srif& srif, double error, double thickness);
 
 /// States the difference from the factors of another formulation, those in the plane too; the estimated errors are at
-/// least that.
-void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness);
+/// least that. `closed`: faces of cracks touch, and the smaller estimate of both formulations is added to it.
+void compare_with(Srif& srif, const Srif& other, const std::string& formulation, double thickness, bool closed = false);
 
 /// Face of the plate at which the faces of a crack pass through each other behind a tip, as nothing keeps them from it
 /// (theory (76)): K1 > 0 opens the half z > 0 and closes the other. Unknown where K1 is not resolved, or nothing within

@@ -29,7 +29,7 @@ void OtherFactors::widen_row(std::size_t number, std::vector<Srif>& row, double 
   if (number >= second.size()) return;
   for (auto& srif : row)
     if (const auto other = std::ranges::find(second[number], srif.tip, &Srif::tip); other != second[number].end())
-      compare_with(srif, *other, formulation, thickness);
+      compare_with(srif, *other, formulation, thickness, closed);
 }
 
 void FactorRows::add(std::vector<Srif> found, const std::string& when) {

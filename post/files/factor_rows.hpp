@@ -19,6 +19,7 @@ struct OtherFactors {
   std::vector<std::vector<Srif>> coarser = {};  // with twice the spacing, row by row; a single row is for all
   std::string formulation = {};                 // another one
   std::vector<std::vector<Srif>> second = {};   // by it, row by row, the recommended of each tip first
+  bool closed = false;                          // faces of cracks touch
 
   /// Widens the errors of a row.
   void widen_row(std::size_t number, std::vector<Srif>& row, double thickness) const;

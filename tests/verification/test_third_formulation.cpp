@@ -151,7 +151,6 @@ const plate::FormulationKind bare{"bare_bonds",
                                    {Feature::lanczos, "points outside the plate have no mass"},
                                    {Feature::stretching, "it has no plane"},
                                    {Feature::touching_faces, "it has no plane"},
-                                   {Feature::moving_faces, "it has no plane"},
                                    {Feature::breaking_bonds, "its bonds hold"},
                                    {Feature::running_tips, "its bonds hold"}},
                                   bare_bonds};

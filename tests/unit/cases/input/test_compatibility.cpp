@@ -65,6 +65,8 @@ std::vector<Sample> samples() {
       {large_deflections_in_motion,
        motion_with({{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}})},
       {touching_faces, {{"cracks.contact", "true"}, {"discretization.formulation", "galerkin"}}},
+      {touching_in_motion, motion_with({{"cracks.contact", "true"}, {"discretization.formulation", "galerkin"}})},
+      {touching_bonds, {{"cracks.contact", "true"}, {"discretization.formulation", "ordinary"}}},
       {buckling, {{"analysis.kind", "buckling"}, {"discretization.formulation", "galerkin"}}, traction},
       {unilateral_foundation, {{"foundation", "[{ modulus = 1, lifts_off = true }]"}}},
       {temperature, {{"section.thermal_expansion", "1e-5"}}, "{ kind = 'temperature', value = 1 }"},
