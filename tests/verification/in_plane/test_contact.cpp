@@ -71,8 +71,9 @@ struct Run {
   post::ResultsInMemory results;
   post::Summary summary;
 
-  explicit Run(const Cracked& plate) {
-    const auto file = cases::read_case_text(plate.toml(), "contact", {});
+  /// `changes`: of keys of the case.
+  explicit Run(const Cracked& plate, const std::vector<std::string>& changes = {}) {
+    const auto file = cases::read_case_text(plate.toml(), "contact", changes);
     summary = cases::run(file, {.folder = {}, .quiet = true, .in_memory = &results});
   }
   /// Recommended factors of a tip.
@@ -168,6 +169,53 @@ TEST_CASE("contact: squares against finite elements", "[in_plane]") {
   CHECK(std::abs(std::abs(tip.K2) - one.K2) < 0.01 * largest);
   CHECK(std::abs(std::abs(tip.K2) - one.K2) < *tip.errors[1] + 1e-3 * largest);
   CHECK(std::abs(arm * tip.membrane->N[0] - one.K1) < arm * *tip.membrane->errors[0]);
+}
+
+TEST_CASE("contact: twice the spacing and the other formulation bound the errors of closed tips", "[in_plane]") {
+  struct Comparison {
+    std::string formulation, key;
+    std::vector<std::string> other;
+  };
+  const double tip_spacing = 0.1 / std::sqrt(10.0) / 24;
+  static const std::vector<Comparison> comparisons{
+      {"galerkin",
+       "richardson",
+       {"discretization.spacing=0.1", fmt::format("discretization.tip_spacing={:.17g}", 2 * tip_spacing),
+        "discretization.spacing_growth=0.2"}},
+      {"galerkin", "second_formulation", {"discretization.formulation=ordinary"}},
+      {"ordinary", "second_formulation", {"discretization.formulation=galerkin"}}};
+  const auto& [formulation, key, changes] = GENERATE(from_range(comparisons));
+  INFO(formulation << ", " << key);
+  const Cracked plate{.length = 0.3, .traction = 30, .formulation = formulation};  // spacing 1/20
+  const double K1 = 0.239447;  // own finite elements, half of the crack is closed
+  const Run alone(plate), other(plate, changes), compared(plate, {"srif." + key + "=true"});
+  const double arm = plate.thickness / 6;
+  for (const std::size_t which : {0, 1}) {
+    const auto &own = alone.tip(which), &tip = compared.tip(which), &theirs = other.tip(which);
+    CHECK(tip.K1 == own.K1);
+    CHECK(std::abs(tip.K1 - K1) < *tip.errors[0]);
+    CHECK(std::abs(arm * tip.membrane->N[0] - K1) < arm * *tip.membrane->errors[0]);
+    const double added = key == "richardson" ? 0 : std::min(*own.errors[0], *theirs.errors[0]);
+    CHECK(*tip.errors[0] == Approx(std::max(*own.errors[0], std::abs(own.K1 - theirs.K1) + added)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("contact: points to a stated accuracy of closed tips", "[in_plane]") {
+  const Run run(Cracked{.length = 0.3, .traction = 30}, {"srif.accuracy=0.01"});
+  const double K1 = 0.239447;  // own finite elements, half of the crack is closed
+  REQUIRE(run.summary.accuracy);
+  CHECK(run.summary.accuracy->ended_by.empty());
+  for (const std::size_t which : {0, 1}) {
+    const auto& tip = run.tip(which);
+    CHECK(tip.method == post::SrifMethod::refinement);
+    INFO("K1 " << tip.K1 / K1 - 1 << ", estimate " << *tip.errors[0] / K1 << ", N1 "
+               << 0.1 / 6 * tip.membrane->N[0] / tip.K1 - 1);
+    CHECK(std::abs(tip.K1 - K1) < 0.01 * K1);
+    CHECK(std::abs(tip.K1 - K1) < *tip.errors[0]);
+    CHECK(0.1 / 6 * tip.membrane->N[0] == Approx(tip.K1).epsilon(0.002));
+  }
+  CHECK(run.summary.contact->closed_share > 0.1);
+  CHECK(run.summary.contact->closed_share < 0.9);
 }
 
 TEST_CASE("contact: even pressure leaves no factor of opening", "[in_plane]") {

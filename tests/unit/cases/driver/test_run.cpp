@@ -1,5 +1,7 @@
 // The folder that a run writes to: what an earlier run left goes, what is not of a run is not touched.
 
+#include <fmt/format.h>
+
 #include "cases/driver/run.hpp"
 #include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
@@ -155,8 +157,10 @@ TEST_CASE("factors: twice the spacing widens the errors of N1 and N2") {
     const auto text = case_text::plain + "[srif]\nmethods = [\"domain_integral\"]\n[output]\nfields = []\n";
     return cases::run(case_text::read(text, settings), {scratch / "run", true}).srif;
   };
-  const auto own = factors({}), coarser = factors({"discretization.spacing=0.1"}),
-             both = factors({"srif.richardson=true"});
+  const double at_tips = 2 * 0.1 / std::sqrt(10.0) / 6;  // twice a sixth of the layer
+  const auto own = factors({}), both = factors({"srif.richardson=true"}),
+             coarser = factors({"discretization.spacing=0.1", "discretization.spacing_growth=0.2",
+                                fmt::format("discretization.tip_spacing={:.17g}", at_tips)});
   REQUIRE(both.size() == own.size());
   for (std::size_t tip = 0; tip < both.size(); ++tip)
     for (std::size_t i = 0; i < 2; ++i) {
