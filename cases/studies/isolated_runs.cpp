@@ -3,6 +3,7 @@
 #include <omp.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cerrno>
@@ -52,6 +53,10 @@ std::string read_all(int from, pid_t child, bool passed_on) {
   }
 }
 
+double seconds_of(const timeval& spent) {
+  return double(spent.tv_sec) + 1e-6 * double(spent.tv_usec);
+}
+
 /// The work of the new process. Its first thread is a copy of one that may have led a team which is not here any more:
 /// OpenMP would wait for that, so that another thread leads.
 [[noreturn]] void work_in_child(const std::function<Ended()>& work, int to, int threads, pid_t parent) {
@@ -89,14 +94,15 @@ Ended isolated(const std::function<Ended()>& work) {
   const auto said = read_all(ends[0], child, knows);
   close(ends[0]);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  rusage used{};
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) continue;
   if (WIFSIGNALED(status))
     return {RunOutcome::killed, std::string("the run was ended by signal ") + std::to_string(WTERMSIG(status)) + " (" +
                                     strsignal(WTERMSIG(status)) + ")"};
   const auto line = said.find('\n');
   const auto outcome = line == std::string::npos ? std::nullopt : run_outcome(said.substr(0, line));
   if (!outcome) return {RunOutcome::killed, "the run ended with code " + std::to_string(WEXITSTATUS(status))};
-  return {*outcome, said.substr(line + 1)};
+  return {*outcome, said.substr(line + 1), seconds_of(used.ru_utime) + seconds_of(used.ru_stime)};
 }
 
 namespace {
@@ -122,8 +128,10 @@ RunRecord new_record(RunRecord wanted, std::size_t repeats, const std::filesyste
     const auto ended = isolated(run);
     if (ended.outcome == RunOutcome::broken) throw std::runtime_error(ended.message);
     wanted.outcome = ended.outcome, wanted.message = ended.message;
-    if (const auto found = summary_of(wanted, folder); found && ended.outcome == RunOutcome::done)
+    if (const auto found = summary_of(wanted, folder); found && ended.outcome == RunOutcome::done) {
       seconds.push_back(found->seconds);
+      seconds.back().emplace_back("processor", ended.processor_seconds);
+    }
   }
   wanted.cost = cost_of(seconds);
   ledger.put(wanted);

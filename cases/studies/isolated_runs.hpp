@@ -12,6 +12,7 @@ namespace cases {
 struct Ended {
   RunOutcome outcome = RunOutcome::done;
   std::string message = {};
+  double processor_seconds = 0;  // of all threads of its process, where it ended by itself
 };
 
 /// Runs the work in a separate process, so that nothing that becomes of it ends this one; it ends with this one. The

@@ -19,7 +19,8 @@ constexpr std::array<std::pair<RunOutcome, const char*>, 7> names_of_outcomes{{{
                                                                                {RunOutcome::missing, "missing"},
                                                                                {RunOutcome::broken, "broken"}}};
 
-constexpr std::array stages{"geometry", "families", "parameters", "solve", "srif", "output", "second_formulation"};
+constexpr std::array stages{"geometry", "families", "parameters",         "solve",
+                            "srif",     "output",   "second_formulation", "processor"};
 
 double median(std::vector<double> values) {
   std::ranges::sort(values);

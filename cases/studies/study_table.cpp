@@ -197,6 +197,8 @@ const std::vector<Column>& own_columns() {
        [](Row row) { return shown("{}", row.iterations); }},
       {"seconds", "seconds", [](Row row) { return post::cell(row.seconds); },
        [](Row row) { return shown("{:.2f}", row.seconds); }},
+      {"processor_seconds", "processor", [](Row row) { return cell_of(row, "processor"); },
+       [](Row row) { return row.stage_seconds.empty() ? "" : fmt::format("{:.2f}", row.seconds_of("processor")); }},
       {"solve_seconds", "solve", [](Row row) { return post::cell(row.solve_seconds); },
        [](Row row) { return shown("{:.2f}", row.solve_seconds); }},
       {"seconds_min", nullptr, [](Row row) { return post::cell(row.seconds_min); }, {}},
@@ -251,7 +253,7 @@ post::Table table(const StudyTable& study) {
 }
 
 std::string costs_text(const StudyTable& study) {
-  constexpr std::array stages{"geometry", "families", "parameters", "solve", "srif", "output"};
+  constexpr std::array stages{"processor", "geometry", "families", "parameters", "solve", "srif", "output"};
   std::vector<post::TextColumn> columns;
   for (const auto& axis : study.axes) columns.push_back({axis, false, {}});
   for (const char* name : {"median s", "least", "most"}) columns.push_back({name, true, {}});

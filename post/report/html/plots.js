@@ -68,12 +68,12 @@ function plot({ title, x, y, lines, legend = true }) {
   let made = null;
   const draw = () => {
     made?.destroy();
-    const width = Math.max(240, Math.floor(box.clientWidth || 480));
+    const small = document.documentElement.classList.contains("paper"), width = Math.max(small ? 190 : 240, Math.floor(box.clientWidth || 480));
     const axes = [axis_of(axis_words(x.label, x.quantity, power_x), x.log, power_x), axis_of(axis_words(y.label, y.quantity, power_y), y.log, power_y)];
     axes[0].size = 34;
     axes[1].size = (_, values) => 24 + 7 * Math.max(3, ...(values ?? []).map(text => text?.length ?? 0));
     made = new uPlot({
-      width, height: Math.round(Math.min(320, Math.max(220, 0.58 * width))), axes,
+      width, height: Math.round(Math.min(320, Math.max(small ? 150 : 220, 0.58 * width))), axes,
       scales: { x: { time: false, distr: x.log ? 3 : 1, range: x.log ? wider : undefined }, y: { distr: y.log ? 3 : 1, range: y.log ? wider : undefined } },
       cursor: { drag: { x: true, y: true, uni: 40 }, points: { size: 8 } },
       legend: { show: legend, live: true, markers: { width: 2 } },
@@ -85,7 +85,7 @@ function plot({ title, x, y, lines, legend = true }) {
   return figure;
 }
 
-const plots = list => {
+const plots = (list, look = "grid") => {
   const there = list.filter(Boolean);
-  return there.length === 0 ? null : element("div", { class: "grid" }, there);
+  return there.length === 0 ? null : element("div", { class: look }, there);
 };

@@ -12,7 +12,7 @@ const refined = data.along ?? axes.at(-1) ?? null;
 
 /** Rows of a quantity at a place, in lines: one for each combination of the axes but one, and of the methods. */
 function lines_along(rows, axis) {
-  const others = axes.filter(name => name !== axis && differs(name)), methods = new Set(rows.map(i => cell_of("srif_method", i))).size > 1;
+  const others = axes.filter(name => name !== axis && new Set(rows.map(i => cell_of(name, i))).size > 1), methods = new Set(rows.map(i => cell_of("srif_method", i))).size > 1;
   const label = i => [...others.map(name => (number_in(cell_of(name, i)) === null ? cell_of(name, i) : `${name} ${shown(number_in(cell_of(name, i)), 4)}`)),
     methods ? spaced(cell_of("srif_method", i) ?? "first method") : null].filter(Boolean).join(", ");
   return [...grouped(rows, label)].map(([name, indices]) => ({ name, rows: indices.map(k => rows[k]) }));
@@ -54,18 +54,25 @@ function error_plots(column, label) {
   });
 }
 
+/** The label of the axis that refines with the most points; null in studies that refine along none. */
+function finest_label() {
+  const points = csv.points ?? [], most = largest(points);
+  return data.along && most > 0 && differs(data.along) ? cell_of(data.along, points.findIndex(x => x === most)) : null;
+}
+
 function value_plots(axis) {
   const places = [...new Set((csv[axis] ?? []).map(number_in))];
   if (places.length < 2 || places.includes(null)) return [];
   const log = Math.min(...places) > 0 && Math.max(...places) > 20 * Math.min(...places);
-  return quantities().map(({ name, rows }) => {
-    const own = axis === refined; // then the lines are those of the table of methods
+  const own = axis === refined, finest = own ? null : finest_label(); // the lines are those of the table of methods
+  return quantities().map(({ name, rows: all }) => {
+    const rows = finest === null ? all : all.filter(i => cell_of(refined, i) === finest);
     const lines = lines_along(rows, axis).map((line, i) => sorted({ label: line.name || "computed", number: own ? look(line.name) : i, points: true,
       x: line.rows.map(k => number_in(cell_of(axis, k))), y: line.rows.map(k => cell_of("computed", k)) })).filter(line => line.x.length > 1);
     if (lines.length === 0) return null;
     const known = grouped(rows, i => `${cell_of(axis, i)} ${cell_of("reference", i)}`), first = [...known.values()].map(k => rows[k[0]]).filter(i => typeof cell_of("reference", i) === "number");
     if (first.length) lines.push(sorted({ label: "reference", rings: true, number: 6, x: first.map(i => number_in(cell_of(axis, i))), y: first.map(i => cell_of("reference", i)) }));
-    return plot({ title: `${name} against ${axis}`, x: { label: axis, log }, y: { label: name }, lines, legend: !own || lines.length <= few + 1 });
+    return plot({ title: `${name} against ${axis}${finest === null ? "" : ` (${number_in(finest) === null ? finest : `${refined} ${shown(number_in(finest), 4)}`})`}`, x: { label: axis, log }, y: { label: name }, lines, legend: lines.length <= (own ? few : 2 * few) + 1 });
   });
 }
 
@@ -74,15 +81,15 @@ function methods_section() {
   const known = quantities().flatMap(({ name, rows }) => lines_along(rows, refined).map(line => ({ name, line })));
   if (known.length < 2 || !csv.error) return null;
   const several = quantities().length > 1, mean = list => list.reduce((sum, x) => sum + x, 0) / list.length;
+  const range = list => (list.length ? `${shown(Math.min(...list), 3)} to ${shown(Math.max(...list), 3)}` : null);
   const rows = known.map(({ name, line }) => {
-    const of = column => line.rows.map(i => cell_of(column, i)).filter(x => typeof x === "number"), errors = of("error").map(Math.abs), taken = of("seconds");
+    const of = column => line.rows.map(i => cell_of(column, i)).filter(x => typeof x === "number"), errors = of("error").map(Math.abs), taken = of("seconds"), used = of("processor_seconds");
     const order = order_along(line, line.rows[0]).match(/order (.*)\)/);
     return [[element("span", { class: "key", style: `background: var(--line${look(line.name) % 8})` }), ` ${line.name || "all runs"}`], ...(several ? [name] : []), `${line.rows.length}`,
-      errors.length ? percent(mean(errors)) : null, errors.length ? percent(largest(errors)) : null, order ? order[1] : null,
-      taken.length ? `${shown(Math.min(...taken), 3)} to ${shown(Math.max(...taken), 3)}` : null];
+      errors.length ? percent(mean(errors)) : null, errors.length ? percent(largest(errors)) : null, order ? order[1] : null, range(taken), ...(csv.processor_seconds ? [range(used)] : [])];
   });
   return section("Methods", table([{ title: "method", left: true }, ...(several ? [{ title: "quantity", left: true }] : []), { title: "runs" }, { title: "mean |error|" }, { title: "largest |error|" },
-    { title: `order in ${refined ?? "–"}` }, { title: "run time [s]" }], rows, { "data-table": "methods" }),
+    { title: `order in ${refined ?? "–"}` }, { title: "run time [s]" }, ...(csv.processor_seconds ? [{ title: "of processors [s]" }] : [])], rows, { "data-table": "methods" }),
   note("Colours as in the plots. The order is the slope of log |error| over the log of the length by least squares, where the errors lie on a line."));
 }
 
@@ -112,9 +119,9 @@ const links = names => (names.length ? section("Reports of the runs", element("p
 
 function study_header() {
   const count = length_of(csv), runs = grouped([...Array(count).keys()], i => axes.map(axis => cell_of(axis, i)).join("\n"));
-  const took = [...runs.values()].reduce((sum, rows) => sum + (cell_of("seconds", rows[0]) ?? 0), 0), messages = (csv.message ?? []).filter(Boolean);
+  const took = column => [...runs.values()].reduce((sum, rows) => sum + (cell_of(column, rows[0]) ?? 0), 0), messages = (csv.message ?? []).filter(Boolean);
   return [element("header", {}, element("h1", {}, data.title), facts([
-    ["Study", `${runs.size} runs, ${seconds(took)} in total`],
+    ["Study", `${runs.size} runs, ${seconds(took("seconds"))} in total${csv.processor_seconds ? `, ${seconds(took("processor_seconds"))} of processors` : ""}`],
     ["Axes", axes.map(axis => `${axis}: ${[...new Set(csv[axis])].slice(0, 8).map(x => (typeof x === "number" ? shown(x, 4) : x)).join(", ")}${new Set(csv[axis]).size > 8 ? ", ..." : ""}`).join("; ")],
     ["Quantities", listed(quantities().map(one => one.name).slice(0, 12))],
     ["Largest error", csv.error ? percent(largest(csv.error)) : null],
@@ -143,10 +150,10 @@ function comparison_sections() {
 function study_sections() {
   if (data.kind === "comparison") return comparison_sections();
   if (data.kind === "extremes") return extremes_sections();
-  const rows = [...Array(length_of(csv)).keys()], wanted = ["quantity", "place", "srif_method", "computed", "reference", "error", "estimated_error", "points", "iterations", "seconds", "message"];
+  const rows = [...Array(length_of(csv)).keys()], wanted = ["quantity", "place", "srif_method", "computed", "reference", "error", "estimated_error", "points", "iterations", "seconds", "processor_seconds", "message"];
   const columns = [...axes, ...wanted.filter(name => csv[name] && (differs(name) || name === "error" || name === "computed"))];
-  const errors = plots([...error_plots("seconds", { short: "run time", words: "run time [s]" }), ...error_plots("points", { short: "points", words: "points of the plate" })]);
-  const values = plots(axes.flatMap(value_plots)), reported = new Set(rows.map(report_of));
+  const errors = plots([...error_plots("seconds", { short: "run time", words: "run time [s]" }), ...error_plots("points", { short: "points", words: "points of the plate" })], "grid small");
+  const values = plots(axes.flatMap(value_plots), "grid small"), reported = new Set(rows.map(report_of));
   return [...study_header(), methods_section(), errors ? section("Errors", errors, screen_note("Drag over a plot to zoom, double click to go back.")) : null,
     values ? section("Values along the axes", values) : null,
     section("All runs", rows.length > 60 ? folded(`${rows.length} rows`, csv_table(columns, rows)) : csv_table(columns, rows)), links((data.runs ?? []).filter(name => !reported.has(name)))];

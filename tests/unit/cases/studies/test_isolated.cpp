@@ -3,8 +3,11 @@
 #include <omp.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/catch.hpp"
 
@@ -51,6 +54,22 @@ TEST_CASE("isolated: threads of this process neither hinder those of the run, no
   CHECK(ended.message == "2");
   CHECK(shared_work() == expected);
   omp_set_num_threads(before);
+}
+
+TEST_CASE("isolated: processor seconds are those of the run, without what this process spent before or waited") {
+  constexpr double spent = 0.05;  // [processor s]
+  const auto burn = [] {
+    const auto begun = std::clock();
+    while (double(std::clock() - begun) / CLOCKS_PER_SEC < spent) continue;
+  };
+  burn(), burn();
+  const auto ended = cases::isolated([&]() -> cases::Ended {
+    burn();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return {RunOutcome::done};
+  });
+  CHECK(ended.processor_seconds >= spent);
+  CHECK(ended.processor_seconds < 1.8 * spent);
 }
 
 TEST_CASE("isolated: nothing that a run changes is changed here") {

@@ -41,6 +41,7 @@ TEST_CASE("study.csv is read back as it was written") {
                                                   "horizon",
                                                   "iterations",
                                                   "seconds",
+                                                  "processor_seconds",
                                                   "solve_seconds",
                                                   "seconds_min",
                                                   "seconds_max",
