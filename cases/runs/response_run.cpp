@@ -180,10 +180,6 @@ void ResponseRun::finish() {
   }
   outputs_.recorder().table("response", post::response_table(found_));
   outputs_.given_cracks(plate_);
-  if (std::ranges::any_of(summary.response, [](const auto& one) { return one.quantity == "K1"; }))
-    summary.warnings.push_back(
-        "K1 changes its sign in every period, and contact of crack faces is not modelled: the response is valid for "
-        "cracks held open");
   if (content().srif) outputs_.warn(post::left_out(plate_.tips(), ready_.tip_methods, *content().srif));
 }
 

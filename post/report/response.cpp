@@ -120,7 +120,10 @@ std::vector<ResponsePeak> largest_responses(const std::vector<Response>& all, do
 
 std::string printed_responses(const std::vector<ResponsePeak>& peaks, bool si) {
   std::string text;
-  if (!peaks.empty()) text += "largest amplitudes:\n";
+  const bool opens = std::ranges::find(peaks, "K1", &ResponsePeak::quantity) != peaks.end();
+  if (!peaks.empty())
+    fmt::format_to(std::back_inserter(text), "largest amplitudes{}:\n",
+                   opens ? ", for crack faces that a static load keeps apart" : "");
   const auto unit = [&](const std::string& quantity) {
     if (!si || quantity.starts_with("theta")) return "";
     if (quantity == "force") return " N";
