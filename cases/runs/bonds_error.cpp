@@ -18,13 +18,15 @@
 #include "plate/model/problem.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/report/conclusion.hpp"
 
 namespace cases {
 namespace {
 
-constexpr double told_deflection = 0.01, told_stress = 0.05;
+constexpr double told_deflection = 0.01, told_stress = 0.05, told_frequency = 0.01;
+constexpr std::size_t many_points = 40000;  // of thick plates: no second plate is solved for more
 constexpr double thin = 3;  // spacings: thicker plates lock by less than 1 % where 20 spacings span them
 
 bool of_bonds(const plate::Formulation& plate, const plate::Problem& problem) {
@@ -78,6 +80,12 @@ plate::Problem of_galerkin(const plate::Problem& bonds) {
   if (!holes.empty() && std::ranges::all_of(holes, round))
     result.discretization.hole_spacing = bonds.discretization.spacing / 2;
   return result;
+}
+
+/// Erases the estimated error of the deflection, where a comparison states it.
+void erase_estimate_of_locking(const plate::Formulation& bonds, std::vector<std::string>& warnings) {
+  for (const auto& estimated : plate::estimated_errors(bonds))
+    if (estimated.starts_with("thickness")) std::erase(warnings, estimated);
 }
 
 struct Largest {
@@ -139,8 +147,7 @@ std::optional<DeflectionError> deflection_error(const plate::Formulation& bonds,
 
 void compare_with_galerkin(const plate::Formulation& bonds, const plate::State& state, const plate::Problem& problem,
                            std::vector<std::string>& warnings) {
-  constexpr std::size_t many = 40000;  // points
-  if (!of_bonds(bonds, problem) || (bonds.points() > many && !is_thin(problem))) return;
+  if (!of_bonds(bonds, problem) || (bonds.points() > many_points && !is_thin(problem))) return;
   const auto witness = galerkin_witness(problem);
   if (!witness) return;
   for (const auto& estimated : plate::estimated_errors(bonds)) std::erase(warnings, estimated);
@@ -175,12 +182,36 @@ void compare_under_pressure(const plate::Formulation& bonds, const plate::Proble
   }
   const auto error = deflection_error(bonds, solution.state, *witness);
   if (!solution.converged || !error) return;
-  for (const auto& estimated : plate::estimated_errors(bonds))
-    if (estimated.starts_with("thickness")) std::erase(warnings, estimated);
+  erase_estimate_of_locking(bonds, warnings);
   if (std::abs(error->share) > told_deflection)
     warnings.push_back(
         fmt::format("under static pressure largest deflection of bonds is {} that of the Galerkin plate{}; {}",
                     side_of(error->share), because(problem, error->share), remedy));
+}
+
+void compare_first_frequency(const plate::Formulation& bonds, double frequency, const plate::Problem& problem,
+                             const plate::FrequencyOptions& options, double rotary_inertia,
+                             std::vector<std::string>& warnings) {
+  if (!of_bonds(bonds, problem) || bonds.points() > many_points || !bonds.held() || bonds.may_move()) return;
+  double right = 0;
+  try {
+    const auto made = plate::discretise(of_galerkin(problem));
+    const auto& witness = *made.plate;
+    if (!plate::loose(witness).empty()) return;
+    const auto inverse = witness.inverse_of_shifted(options.shift);
+    plate::FrequencyOptions first;
+    first.modes = 1, first.shift = options.shift, first.preconditioner = inverse.get();
+    right =
+        plate::frequencies(witness, witness.constraints(), witness.mass(rotary_inertia), first).modes.front().frequency;
+  } catch (const plate::Refused&) {
+    return;
+  } catch (const plate::NumericalError&) {
+    return;
+  }
+  erase_estimate_of_locking(bonds, warnings);
+  if (const double share = frequency / right - 1; std::abs(share) > told_frequency)
+    warnings.push_back(fmt::format("first frequency of bonds is {} that of the Galerkin plate{}; {}", side_of(share),
+                                   because(problem, -share), galerkin_advice));
 }
 
 }  // namespace cases

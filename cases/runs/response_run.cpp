@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cases/runs/analyses.hpp"
+#include "cases/runs/bonds_error.hpp"
 #include "cases/runs/outputs.hpp"
 #include "cases/runs/results.hpp"
 #include "geometry/lattice/cloud.hpp"
@@ -235,6 +236,10 @@ void FrequencyRun::solve() {
 
   summary.analysis.iterations = solution.iterations;
   summary.analysis.residual = 0;
+  if (!ready_.membrane && !solution.modes.empty())
+    compare_first_frequency(plate_, solution.modes.front().frequency, content(), options, analysis.rotary_inertia,
+                            summary.warnings);
+  stopwatch().lap("second_formulation");
   const auto* both = content().coupled() ? ready_.membrane.get() : nullptr;
   for (std::size_t i = 0; i < solution.modes.size(); ++i) {
     results_.mode(i + 1, solution.modes[i], both);
