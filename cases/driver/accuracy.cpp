@@ -248,43 +248,45 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
   return rows;
 }
 
+namespace {
+
+/// Results of a case without factors and files; absent where a hole, a ligament or a formula cannot have these points.
+std::optional<post::Summary> results_of(const std::function<CaseFile()>& changed, const RunOptions& options) {
+  post::ResultsInMemory unused;
+  try {
+    CaseFile file = changed();
+    auto& c = file.content;
+    c.srif.reset();
+    c.output.vtk = c.output.hdf5 = c.output.errors = false, c.output.report = false;
+    const Prepared prepared(std::move(file), *options.communicator);
+    const RunPlan plan{prepared.file.content, {{}, true, &unused, false, options.communicator}};
+    plate::Stopwatch stopwatch = prepared.stopwatch;
+    Outputs outputs(plan, recording(plan).recorder, stopwatch);
+    return run(prepared, outputs);
+  } catch (const CaseError&) {
+    return std::nullopt;
+  } catch (const plate::NumericalError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
 std::optional<post::OtherResults> other_results(const CaseFile& file, const RunOptions& options,
                                                 std::vector<std::string>& warnings) {
   // on errors that fall with the spacing; of bonds, whose errors are larger than those of the Galerkin plate
   constexpr double margin = 1.3, of_bonds = 1.5;
-  const auto results = [&](const std::function<CaseFile(CaseFile)>& changed,
-                           double share) -> std::optional<post::OtherResults> {
-    CaseFile own = file;
-    auto& c = own.content;
-    c.srif.reset();
-    c.output.vtk = c.output.hdf5 = c.output.errors = false, c.output.report = false;
-    post::ResultsInMemory unused;
-    try {
-      const Prepared prepared(changed(std::move(own)), *options.communicator);
-      const RunPlan plan{prepared.file.content, {{}, true, &unused, false, options.communicator}};
-      plate::Stopwatch stopwatch = prepared.stopwatch;
-      Outputs outputs(plan, recording(plan).recorder, stopwatch);
-      return post::OtherResults{run(prepared, outputs), share};
-    } catch (const CaseError&) {  // a hole, a ligament or a formula that these points cannot have
-      return std::nullopt;
-    } catch (const plate::NumericalError&) {
-      return std::nullopt;
-    }
-  };
-  const auto coarser = [](double ratio) {
-    return [ratio](CaseFile own) {
-      auto& d = own.content.discretization;
-      d.spacing *= ratio;
-      for (auto* one : {&d.tip_spacing, &d.hole_spacing})
-        if (*one) **one *= ratio;
-      return own;
-    };
+  const auto coarser = [&](double ratio) {
+    CaseFile result = file;
+    result.content.discretization = widened(file.content.discretization, ratio);
+    return result;
   };
   if (file.content.discretization.formulation->offers(plate::Feature::horizon))
-    if (auto found = results([&](const CaseFile& own) { return in_other_formulation(coarser(2)(own)); }, of_bonds))
-      return found;
+    if (auto found = results_of([&] { return in_other_formulation(coarser(2)); }, options))
+      return post::OtherResults{std::move(*found), of_bonds};
   for (const double ratio : {3.0, 2.0, 1.5})
-    if (auto found = results(coarser(ratio), margin / (ratio - 1))) return found;
+    if (auto found = results_of([&] { return coarser(ratio); }, options))
+      return post::OtherResults{std::move(*found), margin / (ratio - 1)};
   warnings.push_back(
       fmt::format("errors of results are not known, as these need a plate of fewer points; set "
                   "discretization.spacing = {:.2g}",
