@@ -42,13 +42,16 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
   if (file.content.impact) check("impact.position", file.content.impact->position);
 }
 
-/// One process pins what no support holds in the plane of a plate with large deflections; several do not.
+/// One process pins what no support holds in the plane of a plate with large deflections or of a coupled one; several
+/// do not.
 void check_held_in_plane(const CaseFile& file, const plate::Discretised& plates, std::vector<Problem>& problems) {
   const Case& c = file.content;
-  if (c.stretches_at_first() && plates.plate->distributed() && !plates.membrane->held())
+  const bool couples_at_first = c.coupled() && (!c.moves() || c.analysis.start == Analysis::Start::equilibrium ||
+                                                (c.initial && c.initial->deflection.given()));
+  if ((c.stretches_at_first() || couples_at_first) && plates.plate->distributed() && !plates.membrane->held())
     problems.push_back({file.place("support"), "support",
-                        "does not hold the plate in its plane, which several processes need for large deflections: set "
-                        "in_plane, or run it by one (pdplate)"});
+                        "does not hold the plate in its plane, which several processes need for large deflections and "
+                        "for sections that couple bending and stretching: set in_plane, or run it by one (pdplate)"});
 }
 
 }  // namespace

@@ -285,7 +285,6 @@ const std::vector<Exclusion> excluded_pairs{
      by_one_process("modes of coupled bending and stretching cannot be found")},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
-    {processes, growth_in_plane, "growth", by_one_process("growth under loads in the plane cannot be run")},
 };
 
 bool is_hub(const plate::Support& support) {

@@ -22,6 +22,7 @@
 #include "plate/solve/crack_contact.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/motion/stretched_motion.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/factors/errors.hpp"
@@ -132,7 +133,8 @@ MembraneResult membrane_results(const plate::Formulation& membrane, const plate:
   }
   auto& summary = result.summary;
   result.stored = plate::stored(membrane, heat, state);
-  summary.strain_energy = (damaged ? plate::half_work(*damaged, state) : membrane.strain_energy(state)) + result.stored;
+  summary.strain_energy =
+      (damaged ? plate::half_work(membrane, *damaged, state) : membrane.strain_energy(state)) + result.stored;
   summary.external_work = post::slow_work(membrane, load, state) + result.stored;
   summary.largest_displacement = plate::largest_of(membrane, result.fields.displacement.colwise().norm().maxCoeff());
   const auto& stiffness = damaged ? static_cast<const plate::Operator&>(*damaged) : membrane;

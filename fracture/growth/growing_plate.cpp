@@ -244,8 +244,8 @@ void GrowingPlate::add_in_plane(Solved& solved, const std::vector<post::ClosedTi
   auto& srifs = solved.srifs;
   const auto methods = post::tip_methods(membrane, options_of_factors_);
   const auto heat = plate::heat_of(membrane, 1);
-  post::add_membrane(srifs, post::srifs(membrane, options_of_factors_, methods, solved.in_plane, true, &heat),
-                     problem_.section);
+  const auto own = post::srifs(membrane, options_of_factors_, methods, solved.in_plane, true, &heat);
+  post::add_membrane(srifs, of_all(membrane, own), problem_.section);
   for (auto& srif : srifs)
     if (!srif.membrane) srif.G.reset();  // bending alone does not tell what the plate releases
   if (closed.empty()) return;

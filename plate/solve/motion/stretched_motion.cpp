@@ -118,7 +118,7 @@ Forces StretchedMotion::load_in_plane(double time) const {
 
 double StretchedMotion::energy_in_plane(const State& state) const {
   const State membrane = of_plane(state);
-  if (growing_) return half_work(growing_->membrane, membrane);
+  if (growing_) return half_work(membrane_, growing_->membrane, membrane);
   if (stretching_) return membrane_.sum_of_points(stretching_->energies(of_plate(state), membrane));
   const double alone = membrane_.strain_energy(membrane);
   if (!linear_) return alone;
@@ -199,6 +199,13 @@ double stable_time_step(const Formulation& plate, const Formulation& membrane, d
   };
   const double limit = of_linear();
   return plate.problem().stretches ? stretching * limit : limit;
+}
+
+double half_work(const Formulation& plate, const Operator& stiffness, const State& state) {
+  if (!plate.distributed()) return half_work(stiffness, state);
+  Forces forces;
+  stiffness.internal_force(state, forces);
+  return -plate.sum_of_points(forces.cwiseProduct(state).colwise().sum().transpose()) / 2;
 }
 
 }  // namespace plate

@@ -92,4 +92,7 @@ private:
 /// 0.9 of that at rest: slopes of 0.3, to which von Karman's strains hold, raise the largest frequency by up to 10 %.
 double stable_time_step(const Formulation& plate, const Formulation& membrane, double rotary);
 
+/// Half the work that a state of a plate does against the forces of a stiffness of its points, over all ranks.
+double half_work(const Formulation& plate, const Operator& stiffness, const State& state);
+
 }  // namespace plate

@@ -64,6 +64,7 @@ struct Found {
   std::vector<std::set<Drawn>> frames;
   std::vector<std::string> warnings;
   post::Table frequencies{{"frequency"}, {}};
+  std::map<std::string, double> energies;
 };
 
 /// Nothing of modes, which have no fields in the plane.
@@ -89,6 +90,7 @@ Found found(const cases::CaseFile& file, int processes) {
     for (std::size_t i = 0; i < own.frames.size(); ++i) result.frames[i].merge(drawn(own.frames[i]));
     if (all.rank() > 0) return;
     result.warnings = summary.warnings;
+    result.energies.insert(summary.energy.begin(), summary.energy.end());
     for (const auto& mode : summary.frequencies) result.frequencies.rows.push_back({mode.frequency});
     for (const auto& [name, table] : own.tables)
       result.tables[name] = post::csv_text(table), result.numbers[name] = table;
@@ -281,6 +283,34 @@ TEST_CASE("a plate in parts: bending and stretching coupled by plies or stiffene
       CHECK(many.warnings == ordinary.warnings);
       CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-9);
       CHECK(apart(ordinary, many, "probes", {"w", "u", "v"}) < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("a plate in parts: growth under loads in the plane, at rest and in motion") {
+  const std::vector<std::string> strip{
+      "geometry={outline={rectangle=[-0.5,-0.7,0.5,0.7]},cracks=[[[-0.1,0.0],[0.1,0.0]]]}",
+      "support=[{kind='simply_supported',edges=['bottom'],in_plane='normal'},{kind='simply_supported',edges=['top']},"
+      "{kind='in_plane',points=[[0,-0.7]]}]",
+      "load=[{kind='edge_traction',edges=['top'],value=1},{kind='pressure',value=0.002}]"};
+  auto at_rest = strip, moving = strip;
+  at_rest.insert(at_rest.end(),
+                 {"discretization={spacing=0.03,formulation='galerkin'}", "analysis={kind='static',tolerance=1e-8}",
+                  "growth={fracture_energy=1.0,control='equilibrium',max_advances=3}"});
+  moving.insert(moving.end(), {"discretization={spacing=0.03,formulation='ordinary'}", "section.density=1",
+                               "analysis={kind='dynamic',duration=0.05}", "growth={fracture_energy=0.001}"});
+  for (const auto& settings : {at_rest, moving}) {
+    const auto file = read(plain, settings);
+    const auto ordinary = found(file, 0), one = found(file, 1), two = found(file, 2);
+    REQUIRE(ordinary.numbers.at("tips").rows.size() > 2);
+    for (const auto* many : {&one, &two}) {
+      CHECK(many->warnings == ordinary.warnings);
+      CHECK(many->tables.at("cracks") == ordinary.tables.at("cracks"));
+      CHECK(apart(ordinary, *many, "growth", {"crack_length"}) < 1e-9);
+      CHECK(apart(ordinary, *many, "tips", {"G"}) < 1e-9);
+      CHECK(apart(ordinary, *many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-9);
+      for (const auto& [name, energy] : ordinary.energies)
+        CHECK(many->energies.at(name) == Approx(energy).epsilon(1e-6));
     }
   }
 }
