@@ -200,7 +200,8 @@ void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const p
     if ((!top && !bottom) || !srif.membrane) continue;
     auto& plane = *srif.membrane;
     const double h = plane.thickness, arm = h / 6, least = rounding * arm * scale;  // N1 times the arm is |K1|
-    if (largest_factor(srif, h) <= least) {
+    const auto below = [&](const std::optional<double>& error) { return error.value_or(0) <= least / lost; };
+    if (largest_factor(srif, h) <= least && std::ranges::all_of(srif.errors, below)) {
       srif.K1 = srif.K2 = srif.K3 = 0;
       srif.errors = {0, 0, 0}, srif.resolved = {true, true, true}, srif.estimated_error = 0;
     }

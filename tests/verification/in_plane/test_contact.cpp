@@ -508,6 +508,19 @@ TEST_CASE("contact: bonds that are pressed together stay closed at any angle", "
   for (const auto& warning : run.summary.warnings) CHECK_THAT(warning, !Catch::Contains("N1"));
 }
 
+TEST_CASE("contact: bonds do not state zero for tips whose energy they miss", "[in_plane]") {
+  const std::string supports =
+      "support=[{kind='clamped', edges=['left', 'right', 'top']}, {kind='clamped', edges=['bottom'], "
+      "in_plane='normal'}, {kind='in_plane', points=[[0.0, -0.5]]}]";
+  const Run run(Cracked{.spacing = 1.0 / 40, .moment = 0, .pressure = 1, .formulation = "ordinary"}, {supports});
+  const double K1 = 0.00211;  // Galerkin plate, 160 points a side
+  CHECK(run.summary.contact->closed_share == Approx(1));
+  for (const std::size_t which : {0, 1}) {
+    const auto& tip = run.tip(which);
+    CHECK((!tip.resolved[0] || std::abs(tip.K1 - K1) < *tip.errors[0]));
+  }
+}
+
 TEST_CASE("contact: bonds under enough tension are those of open faces", "[in_plane]") {
   const auto with = [](bool contact) {
     return Run(
