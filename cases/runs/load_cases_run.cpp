@@ -152,6 +152,7 @@ private:
   InPlaneState sum_in_plane(const plate::Combination& combination, const std::vector<LoadCaseState>& cases);
   std::vector<CombinedPart> parts_of(const post::LoadCaseSummary& combined, bool in_plane) const;
   std::vector<std::string> warnings() const;
+  bool governs(const post::LoadCaseSummary& one);
 
   /// The state with the largest deflection, and its load in the plane.
   struct Deepest {
@@ -165,11 +166,24 @@ private:
   std::unique_ptr<const plate::CoupledPlate> coupled_;      // where bending and stretching are coupled
   std::unique_ptr<const plate::ContactOfFaces> contact_;    // where faces of cracks may touch, without them
   std::vector<post::LoadCaseSummary> found_;
+  double demand_ = -1;                                     // largest equivalent K so far, or von Mises stress
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
   std::vector<std::vector<std::string>> of_planes_;        // warnings of the same
   post::Table srifs_{post::srif_columns(), {}}, reactions_, faces_;
   std::vector<std::string> warnings_;
 };
+
+/// True where a load case asks more of the plate than all before it: by the equivalent K at the faces, in plates
+/// without tips by the von Mises stress.
+bool LoadCases::governs(const post::LoadCaseSummary& one) {
+  double demand = 0;
+  for (const auto& tip : one.faces) demand = std::max(demand, tip.equivalent.value_or(0));
+  for (const auto& peak : one.extremes)
+    if (one.faces.empty() && peak.quantity == "von_mises") demand = peak.value;
+  const bool more = demand > demand_;
+  demand_ = std::max(demand_, demand);
+  return more;
+}
 
 /// The state of the next load case, with its energies.
 plate::Instant LoadCases::instant_of(const LoadCaseState& now, std::size_t step) const {
@@ -231,14 +245,15 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
     one.faces.push_back(post::at_faces(srif, plate_.section(), content().srif->toughness));
   post::Extremes extremes(plate_);
   extremes.row(now);
+  post::Frame frame;
   if (outputs_.takes_frames() || in_plane) {
-    auto frame = post::frame_of(plate_, number, step, strained, true, &heat);
+    frame = post::frame_of(plate_, number, step, strained, true, &heat);
     if (less.cols() > 0) frame.state = state.leftCols(frame.state.cols());
     if (in_plane) add_in_plane(frame, plate_, *ready_.membrane, *in_plane);
     extremes.frame(number, frame.resultants);
-    if (outputs_.takes_frames()) outputs_.frame(plate_, std::move(frame));
   }
   one.extremes = fracture::of_all(plate_, extremes.found(&heat));
+  if (outputs_.takes_frames()) outputs_.frame(plate_, std::move(frame), {}, plate::no_state(), governs(one));
   found_.push_back(std::move(one));
   const bool rests = !found_.back().of.empty() && post::is_zero(state, plate_);  // a combination that cancels
   const bool stretches = stretched && stretched->acts;

@@ -89,7 +89,7 @@ void Outputs::row(const post::Sample& sample, const plate::Formulation& plate) {
 }
 
 void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh,
-                    const plate::State& velocity) {
+                    const plate::State& velocity, bool governs) {
   if (takes_values()) take_values(plate, frame);
   if (!recorder_.draws() && !recorder_.stores()) return;
   if (mesh) drawing_ = owned_mesh(plate, *mesh);
@@ -101,7 +101,7 @@ void Outputs::frame(const plate::Formulation& plate, post::Frame frame, std::opt
   }
   if (plan_.reports()) {
     if (mesh) pictures_.open(*mesh);
-    pictures_.look(frame);
+    pictures_.look(frame, governs);
   }
   recorder_.frame(std::move(frame), std::move(mesh),
                   velocity.cols() > 0 ? velocity.leftCols(Eigen::Index(plate.cloud().plate_points)) : velocity);

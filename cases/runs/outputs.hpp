@@ -68,9 +68,10 @@ public:
   void row(const post::Sample& sample, const plate::Formulation& plate);
   /// True where frames are wanted, to be drawn, to go on from, or for the values at the probes of a plate at rest.
   bool takes_frames() const { return recorder_.draws() || recorder_.stores() || takes_values(); }
-  /// A frame, with other cells where they are given; `velocity` [3 x points] or without columns.
+  /// A frame, with other cells where they are given; `velocity` [3 x points] or without columns. `governs`: the report
+  /// has all of its fields.
   void frame(const plate::Formulation& plate, post::Frame frame, std::optional<plate::Mesh> mesh = {},
-             const plate::State& velocity = plate::no_state());
+             const plate::State& velocity = plate::no_state(), bool governs = true);
   /// The last state, where the points of frames were not the same throughout.
   void final_state(const plate::Formulation& plate, post::Frame frame);
   /// The cracks of the plate as they were given, where there are any.

@@ -321,6 +321,10 @@ std::string list_of(const std::vector<Element>& elements) {
 }  // namespace
 
 std::string plate_json(const plate::Problem& problem) {
+  std::vector<std::string> cases(problem.loads.size(), json_text(""));  // of every load; loads of all cases have none
+  for (std::size_t which = 0; which < problem.load_cases.size(); ++which)
+    for (const std::size_t i : plate::loads_of(problem, which))
+      if (i >= plate::shared_loads(problem)) cases[i] = json_text(problem.load_cases[which].name);
   return json_object({{"outline", text_of(problem.outline.outer.vertices)},
                       {"edges", list_of(geometry::straight_edges(problem.outline))},
                       {"holes", list_of(problem.outline.holes)},
@@ -330,6 +334,7 @@ std::string plate_json(const plate::Problem& problem) {
                       {"springs", list_of(problem.springs)},
                       {"stiffeners", list_of(problem.stiffeners)},
                       {"loads", list_of(problem.loads)},
+                      {"cases", json_list(cases)},
                       {"beginning", json_text(beginning_of(problem))},
                       {"section", text_of(problem.section)}});
 }

@@ -142,11 +142,12 @@ Pictures::Picture Pictures::picture(const Frame& frame) const {
   return result;
 }
 
-void Pictures::look(const Frame& frame) {
+void Pictures::look(const Frame& frame, bool last) {
   if (!raster_ || frame.state.cols() == 0) return;
-  last_ = picture(frame);
+  auto now = picture(frame);
+  if (last || !last_) last_ = now;
   if (frames_++ % stride_ != 0 || frame.state.row(0).isZero(0)) return;
-  auto& kept = earlier_.emplace_back(*last_);
+  auto& kept = earlier_.emplace_back(std::move(now));
   std::erase_if(kept.fields, [](const Field& field) { return !is_kept_of_earlier(field.name); });
   for (auto& field : kept.fields) field.pixels = thinned(field.pixels, kept.columns, kept.rows);
   kept.columns = (kept.columns + 1) / coarser, kept.rows = (kept.rows + 1) / coarser;

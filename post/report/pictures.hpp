@@ -56,8 +56,9 @@ private:
   std::vector<Source> sources_;  // of every pixel
 };
 
-/// The fields of a run as pictures for its report: all of the last frame, and w, von Mises stress and damage of a few
-/// before it, spread over the run. However many points and frames there are, the pictures take the same room.
+/// The fields of a run as pictures for its report: all of the last frame (of load cases that which governs), and w, von
+/// Mises stress and damage of a few before it, spread over the run. However many points and frames there are, the
+/// pictures take the same room.
 class Pictures {
 public:
   Pictures();
@@ -65,8 +66,8 @@ public:
 
   /// The cells of the frames from now on.
   void open(const Mesh& mesh);
-  /// Takes what is wanted of a frame.
-  void look(const Frame& frame);
+  /// Takes what is wanted of a frame; `last`: in the place of the last one, of which all fields are kept.
+  void look(const Frame& frame, bool last = true);
 
   /// Returns JSON, "null" without frames: `frames`, each with its `time`, `columns`, `rows`, `pitch`, `corner` and
   /// `data`, per field the 16 bits of each pixel in base64; `fields`, each with its `name`, its `least` and `largest`

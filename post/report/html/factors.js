@@ -150,8 +150,8 @@ function reactions_of_cases(all) {
   const supports = all.find(one => one.reactions?.supports)?.reactions.supports ?? [];
   if (supports.length === 0) return null;
   const { factor, name } = prefixed("force", all.flatMap(one => [one.reactions?.loads?.force, ...(one.reactions?.supports ?? []).map(support => support.force)]));
-  const size = 1e-9 * largest(all.flatMap(one => (one.reactions?.supports ?? []).map(support => support.force)));
-  const force = path => (Math.abs(at(path) ?? 0) <= size ? "0" : value(path, 5, null, factor));
+  const size = 1e-5 * largest(all.flatMap(one => (one.reactions?.supports ?? []).map(support => support.force)));
+  const force = path => (Math.abs(at(path) ?? 0) <= size ? value(path, 5, "0") : value(path, 5, null, factor));
   const same = name => supports.filter(one => one.support === name).length > 1, titles = supports.map((one, i) => one.support + (same(one.support) ? ` ${i}` : ""));
   const cell = (n, i) => (!all[n].reactions ? "–" : force(`load_cases[${n}].reactions.${i === 0 ? "loads" : `supports[${i - 1}]`}.force`));
   const tables = tables_of_cases(all, ["loads", ...titles], cell, "reactions_of_cases");
@@ -169,15 +169,16 @@ function reactions_in_plane(all) {
     { title: "along x", unit: of_unit }, { title: "along y", unit: of_unit }], rows, { "data-table": "reactions_in_plane" })];
 }
 
-/** Deflections of the probes in every load case and combination. */
+/** Deflections of the probes in every load case and combination: how many there are, and a cell of each. */
 function probes_of_cases(all) {
   const { probes } = tables, places = [...new Set(probes?.probe ?? [])];
-  if (places.length === 0) return null;
+  if (places.length === 0) return { columns: [], cells: () => [], blocks: null };
   const { factor, name: of_unit } = prefixed("w", probes.w);
   const row = (n, place) => probes.probe.findIndex((probe, i) => probe === place && probes.time[i] === n + 1);
   const cell = (n, i) => (row(n, places[i]) < 0 ? "–" : shown(probes.w[row(n, places[i])] / factor, 4));
-  const blocks = tables_of_cases(all, places.map(String), cell, "probes_of_cases");
-  return [element("h3", {}, of_unit ? `Deflection w of the probes [${of_unit}]` : "Deflection w of the probes"), blocks];
+  const few_places = 3;
+  if (places.length <= few_places) return { columns: places.map(place => ({ title: `w at ${place}`, unit: of_unit })), cells: n => places.map((_, i) => cell(n, i)), blocks: null };
+  return { columns: [], cells: () => [], blocks: [element("h3", {}, of_unit ? `Deflection w of the probes [${of_unit}]` : "Deflection w of the probes"), tables_of_cases(all, places.map(String), cell, "probes_of_cases")] };
 }
 
 /** Contact of crack faces in every load case. */
@@ -189,17 +190,38 @@ function contact_of_cases(all) {
 
 /** The largest factors of every tip, and the load case that gives each; how much of the toughness is taken comes first. */
 function envelope_table() {
-  const { envelope } = data.summary;
-  if (!envelope?.length) return null;
+  const { envelope = [], load_cases } = data.summary;
+  if (!Array.isArray(load_cases) || load_cases.length === 0) return null;
   const order = envelope.map((_, i) => i).sort((a, b) => (envelope[b].quantity === "utilisation") - (envelope[a].quantity === "utilisation"));
   const rows = order.map(i => {
     const one = envelope[i], lost = one.estimated_error > Math.abs(one.value), beyond = one.quantity === "utilisation" && one.value >= 1;
     const { factor, name } = prefixed(one.quantity, [one.value]);
     const what = one.quantity === "utilisation" ? "of the toughness" : [one.quantity, name && !lost ? element("span", { class: "unit" }, ` ${name}`) : null];
-    return [what, value(`envelope[${i}].tip`),
-      lost ? "not resolved in all" : element("span", { class: beyond ? "rough" : null }, with_error(`envelope[${i}].value`, one.estimated_error, factor)), lost ? "–" : one.case];
+    return [what, ["tip ", value(`envelope[${i}].tip`)],
+      lost ? "not resolved in all" : element("span", { class: beyond ? "rough" : null }, with_error(`envelope[${i}].value`, one.estimated_error, factor, one.estimated_error === undefined ? 4 : 6)), lost ? "–" : one.case];
   });
-  return table([{ title: "largest", left: true }, { title: "tip" }, { title: "of all" }, { title: "in case", left: true }], rows, { "data-table": "envelope" });
+  return table([{ title: "largest", left: true }, { title: "where" }, { title: "of all" }, { title: "in case", left: true }], [...rows, ...largest_of_cases(data.summary.load_cases)], { "data-table": "envelope" });
+}
+
+const index_of_peak = (one, name) => (one.extremes ?? []).findIndex(found => found.quantity === name);
+
+/** Rows of the largest deflection, stress and force of a support, with the load case that gives each. */
+function largest_of_cases(all) {
+  const candidates = (words, quantity, of) => [words, quantity, all.flatMap((one, n) => of(one, n)).filter(one => Number.isFinite(at(one.path)))];
+  const peaks = name => (one, n) => (index_of_peak(one, name) < 0 ? [] : [{ n, one: one.extremes[index_of_peak(one, name)], path: `load_cases[${n}].extremes[${index_of_peak(one, name)}].value` }]);
+  const forces = (one, n) => (one.reactions?.supports ?? []).map((support, i) => ({ n, one: support, path: `load_cases[${n}].reactions.supports[${i}].force` }));
+  const place = one => one.support ?? `(${shown(one.x, 3)}, ${shown(one.y, 3)})`;
+  return [candidates("deflection w", "w", peaks("w")), candidates("von Mises stress", "von_mises", peaks("von_mises")), candidates("force of a support", "force", forces)].map(([words, quantity, found]) => {
+    const most = found.reduce((best, one) => (!best || Math.abs(at(one.path)) > Math.abs(at(best.path)) ? one : best), null);
+    if (!most || !at(most.path)) return null;
+    const { factor, name } = prefixed(quantity, [at(most.path)]);
+    return [[words, name ? element("span", { class: "unit" }, ` ${name}`) : null], place(most.one), with_error(most.path, most.one.estimated_error, factor, 5), all[most.n].name];
+  }).filter(Boolean);
+}
+
+/** What governs of all load cases and combinations. */
+function governing_section() {
+  return envelope_table() ? section("Governing load cases", envelope_table()) : null;
 }
 
 /** Factors of every tip in every load case and combination, with how much of the toughness that takes. */
@@ -213,7 +235,7 @@ function factors_of_cases(all) {
     return [one.name, value(`${path}.tip`), ...(used ? [utilisation_cell(`${path}.faces`, srif.faces)] : []), ...factor_names.map(name => factor_cell(srif, path, name)),
       ...(faces ? [typeof K === "number" ? with_error(`${path}.faces.K_eq`, srif.faces.estimated_error_K_eq, factor, 4) : "not resolved"] : [])];
   }));
-  return rows.length ? table(columns, rows, { class: "recommended", "data-table": "load_cases" }) : null;
+  return rows.length ? table(columns, rows, { class: "recommended cases", "data-table": "load_cases" }) : null;
 }
 
 /** Factors of loads in the plane in every load case and combination. */
@@ -228,14 +250,13 @@ function in_plane_of_cases(all) {
 function load_cases_section() {
   const all = data.summary.load_cases;
   if (!Array.isArray(all) || all.length === 0) return null;
-  const peak = (one, name) => (one.extremes ?? []).findIndex(found => found.quantity === name);
+  const peak = index_of_peak, probes = probes_of_cases(all);
   const scale = name => prefixed(name, all.map(one => one.extremes?.[peak(one, name)]?.value)), scales = { w: scale("w"), von_mises: scale("von_mises") };
   const sizes = all.map((one, n) => [one.name, one.of ? Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`).join("") : "",
-    ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : with_error(`load_cases[${n}].extremes[${peak(one, name)}].value`, one.extremes[peak(one, name)].estimated_error, scales[name].factor, 5)))]);
-  return section("Load cases", envelope_table(),
-    factors_of_cases(all) ? [element("h3", {}, "Every case"), factors_of_cases(all)] : null, in_plane_of_cases(all),
-    element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }], sizes, { "data-table": "extremes_of_cases" }),
-    probes_of_cases(all), reactions_of_cases(all), reactions_in_plane(all), contact_of_cases(all),
+    ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : with_error(`load_cases[${n}].extremes[${peak(one, name)}].value`, one.extremes[peak(one, name)].estimated_error, scales[name].factor, 5))), ...probes.cells(n)]);
+  return section("Every load case", factors_of_cases(all), in_plane_of_cases(all),
+    element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }, ...probes.columns], sizes, { "data-table": "extremes_of_cases" }),
+    probes.blocks, reactions_of_cases(all), reactions_in_plane(all), contact_of_cases(all),
     all.some(one => one.superposed === false) ? note(`Combinations are solved under their own loads: states with ${all.some(one => one.contact) ? "contact of crack faces" : "large deflections"} are not superposed.`) : null,
     note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));
 }

@@ -102,6 +102,9 @@ function frame_words(frame) {
   return grows ? `advance ${frame.time}` : "";
 }
 
+/** The frame of which all fields are kept: the last, or the load case that governs. */
+const last_frame = () => (data.summary.load_cases ? frame_words(pictures.frames.at(-1)) : "the last frame");
+
 /** A field of all frames; `chosen` says which frame is wanted. */
 function field_picture(field, chosen) {
   const canvas = element("canvas", { class: "field", "data-field": field.name }), readout = element("output", {}, ""), when = element("span", {});
@@ -112,7 +115,7 @@ function field_picture(field, chosen) {
     element("figcaption", {}, element("b", {}, capital(quantity)), axis_words("", field.name, colours.power), " ", when),
     element("div", { class: "framed" }, holder, colours.shape),
     element("p", { class: "note" }, readout,
-      `${shown(pictures.frames.length > 1 ? field.least : Math.min(field.least, field.low), 4)} to ${shown(field.largest, 4)}${of}${pictures.frames.length > 1 ? " in the last frame" : ""}; ` +
+      `${shown(pictures.frames.length > 1 ? field.least : Math.min(field.least, field.low), 4)} to ${shown(field.largest, 4)}${of}${pictures.frames.length > 1 ? ` in ${last_frame()}` : ""}; ` +
       (field.name === "damage" ? "colours from 0 to the largest." : `colours between the percentiles ${100 * low_share} and ${100 * high_share}.`)));
   let frame = pictures.frames.at(-1), map = null;
   const draw = () => {
@@ -159,5 +162,5 @@ function fields_section() {
   const several = pictures.frames.length > 1 ? slider(pictures.frames, frame, next => { frame = next; figures.forEach(figure => figure.draw()); }) : null;
   return section("Fields", several, element("div", { class: "grid" }, figures),
     modes ? note("The largest |w| of each mode is scaled to 1, and stresses with it.") : null,
-    screen_note(`${several && !modes ? "Moments are of the last frame. " : ""}Point at a picture for values.`));
+    screen_note(`${several && !modes ? `Moments are of ${last_frame()}. ` : ""}Point at a picture for values.`));
 }

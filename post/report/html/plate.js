@@ -233,15 +233,19 @@ function plate_words() {
     const place = (one.position ? ` at ${pair(one.position)}` : "") + (one.gradient ? ` at ${pair(one.from)} with the gradient ${pair(one.gradient)}` : "") + (one.patch ? (one.patch.centre ? ` on a circle about ${pair(one.patch.centre)}` : ` on ${one.patch.vertices.map(pair).join(" ")}`) : "") + (one.along ? ` along ${one.along.map(pair).join(" ")}` : "") + (one.path ? ` that moves along ${one.path.map(pair).join(" ")} with ${shown(one.speed)}` : "") + (one.kind === "settlement" ? `${one.rotation ? `, rotation ${shown(one.rotation)}` : ""} of ${support(plate.supports[one.support])}` : "");
     return `${spaced(one.kind)} ${value_of}${unit(one.kind) ? ` ${unit(one.kind)}` : ""}${twist}${on(one.edges)}${place}${one.history ? `, ${one.history}` : ""}`;
   };
-  const of = (x, quantity) => `${shown(x)}${unit(quantity) ? ` ${unit(quantity)}` : ""}`;
+  const of = (x, quantity) => {
+    const { factor, name } = prefixed(quantity, [x]);
+    return `${shown(x / factor)}${name ? ` ${name}` : ""}`;
+  };
+  const of_case = i => (plate.cases?.[i] ? `${plate.cases[i]}: ` : "");
   return facts([
-    ["Material", s.material ?? `E ${of(s.young, "stress")}, ν ${shown(s.poisson)}${s.density > 0 ? `, ρ ${of(s.density, "density")}` : ""}`],
+    ["Material", s.material ?? `E ${of(s.young, "stress")}, ν ${shown(s.poisson)}${s.density > 0 ? `, ρ ${shown(s.density)}${unit("density") ? ` ${unit("density")}` : ""}` : ""}`],
     ["Thickness", of(s.thickness, "length")],
     ["Supports", plate.supports.length ? plate.supports.map(support).join("; ") : "none"],
     ...plate.foundations.map(one => ["Foundation", `modulus ${shown(one.modulus)}${one.shear ? `, shear ${shown(one.shear)}` : ""}${one.patch ? " beneath a part" : ""}${one.lifts_off ? ", the plate may lift off" : ""}`]),
     ...plate.stiffeners.map(one => ["Stiffener", `${["bending", "torsion", "axial", "eccentricity", "mass"].filter(key => one[key]).map(key => `${key} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.along ? " along a line" : ""}`]),
     ...plate.springs.map(one => ["Springs", `${["deflection", "rotation_normal", "rotation_tangential", "rotation"].filter(key => one[key]).map(key => `${spaced(key)} ${shown(one[key])}`).join(", ")}${on(one.edges)}${one.position ? ` at (${one.position.map(x => shown(x)).join(", ")})` : ""}${one.along ? " along a line" : ""}`]),
-    ["Loads", plate.loads.length ? plate.loads.map(load).join("; ") : "none"],
+    ["Loads", plate.loads.length ? plate.loads.map((one, i) => of_case(i) + load(one)).join("; ") : "none"],
     ...(plate.beginning ? [["Beginning", plate.beginning]] : []),
     ["Cracks", plate.cracks.length ? `${plate.cracks.length}${grows ? ` at the start (bold), ${cracks_at_end().length} at the end` : ""}` : "none"],
     ["Tips", [...tips()].map(([number, [x, y]]) => `${number} at (${shown(x, 4)}, ${shown(y, 4)})`).slice(0, 8).join("; ")],
