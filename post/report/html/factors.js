@@ -255,7 +255,7 @@ function load_cases_section() {
   const sizes = all.map((one, n) => [one.name, one.of ? Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`).join("") : "",
     ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : with_error(`load_cases[${n}].extremes[${peak(one, name)}].value`, one.extremes[peak(one, name)].estimated_error, scales[name].factor, 5))), ...probes.cells(n)]);
   return section("Every load case", factors_of_cases(all), in_plane_of_cases(all),
-    element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }, ...probes.columns], sizes, { "data-table": "extremes_of_cases" }),
+    element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true, minor: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }, ...probes.columns], sizes, { "data-table": "extremes_of_cases" }),
     probes.blocks, reactions_of_cases(all), reactions_in_plane(all), contact_of_cases(all),
     all.some(one => one.superposed === false) ? note(`Combinations are solved under their own loads: states with ${all.some(one => one.contact) ? "contact of crack faces" : "large deflections"} are not superposed.`) : null,
     note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));

@@ -15,12 +15,13 @@ function scheme() {
   document.documentElement.dataset.scheme = dark && !document.documentElement.classList.contains("paper") ? "dark" : "light";
 }
 
-/** Makes tables that are wider than the paper so small that they fit. */
+/** Makes tables that are wider than the paper so small that they fit; on screens a fifth smaller at most. */
 function fit_tables() {
+  const least = document.documentElement.classList.contains("paper") ? 0 : 800;
   for (const table of document.querySelectorAll(".scroll > table")) {
     table.style.zoom = "";
     const room = table.parentElement.clientWidth, width = table.scrollWidth;
-    if (document.documentElement.classList.contains("paper") && width > room) table.style.zoom = Math.floor((1000 * room) / width) / 1000;
+    if (width > room) table.style.zoom = Math.max(least, Math.floor((1000 * room) / width)) / 1000;
   }
 }
 
@@ -28,6 +29,7 @@ function start() {
   scheme();
   document.getElementById("report").replaceChildren(...sections().filter(Boolean));
   redraw();
+  fit_tables();
   const again = () => (scheme(), redraw());
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", again);
   addEventListener("hashchange", again);
@@ -36,7 +38,7 @@ function start() {
     if (innerWidth === width) return;
     width = innerWidth;
     clearTimeout(waiting);
-    waiting = setTimeout(redraw, 150);
+    waiting = setTimeout(() => (redraw(), fit_tables()), 150);
   });
   addEventListener("beforeprint", () => {
     document.documentElement.classList.add("paper");
