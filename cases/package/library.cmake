@@ -44,4 +44,6 @@ if(PDPLATE_PYTHON)
   target_include_directories(pdplate_python PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(pdplate_python PRIVATE pdplate_library)
   configure_file(cases/python/pdplate/__init__.py ${python_folder}/__init__.py COPYONLY)
+  add_custom_command(TARGET pdplate_python POST_BUILD VERBATIM COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/cases/python/wheel.py
+                     ${PROJECT_VERSION} ${python_folder} ${PROJECT_BINARY_DIR}/python $<TARGET_FILE:pdplate_library> $<TARGET_FILE:pdplate_files>)
 endif()

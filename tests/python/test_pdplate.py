@@ -17,6 +17,7 @@ import tempfile
 import threading
 import time
 import unittest
+import zipfile
 
 import numpy as np
 import pdplate
@@ -306,6 +307,21 @@ class Module(unittest.TestCase):
             time.sleep(0.001)
             turns += 1
         self.assertGreater(turns, 5)  # 1 where the run kept the interpreter's lock
+
+    def test_wheel(self):
+        wheels = list(pathlib.Path(pdplate.__file__).parents[1].glob("pdplate-*.whl"))
+        self.assertEqual(len(wheels), 1)
+        script = "import pdplate, sys; print(pdplate.__file__); print(pdplate.run(eval(sys.argv[1])).factors[0]['K1'])"
+        with tempfile.TemporaryDirectory() as folder:
+            with zipfile.ZipFile(wheels[0]) as wheel:
+                wheel.extractall(folder)
+                listed = [name for name in wheel.namelist() if name.endswith("RECORD")]
+                self.assertEqual(len(wheel.read(listed[0]).decode().splitlines()), len(wheel.namelist()))
+            environment = dict(os.environ, PYTHONPATH=folder)
+            done = subprocess.run([sys.executable, "-B", "-c", script, repr(PLATE)], env=environment, text=True, capture_output=True, check=True)
+            place, K1 = done.stdout.split()
+            self.assertTrue(place.startswith(folder))
+        self.assertEqual(float(K1), float(pdplate.run(PLATE).factors[0]["K1"]))
 
     def test_example(self):
         spec = importlib.util.spec_from_file_location("crack_lengths", ROOT / "cases/python/crack_lengths.py")
