@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -43,6 +44,29 @@ std::map<Dof, AtFaces> folded(const std::vector<MovingPair::Term>& terms, const 
   return result;
 }
 
+/// Groups of these pairs, joined by degrees of freedom that they push.
+std::vector<std::vector<std::size_t>> groups_of(const std::vector<std::size_t>& shared,
+                                                const std::vector<std::vector<std::size_t>>& pushed) {
+  std::vector<std::vector<std::size_t>> result;
+  std::map<std::size_t, std::size_t> group_of;  // of what is pushed
+  for (const auto pair : shared) {
+    std::vector<std::size_t> joined{pair};
+    std::set<std::size_t> met;
+    for (const auto number : pushed[pair])
+      if (const auto found = group_of.find(number); found != group_of.end()) met.insert(found->second);
+    for (const auto group : met) {
+      joined.insert(joined.end(), result[group].begin(), result[group].end());
+      result[group].clear();
+    }
+    for (const auto one : joined)
+      for (const auto number : pushed[one]) group_of[number] = result.size();
+    std::ranges::sort(joined);
+    result.push_back(std::move(joined));
+  }
+  std::erase_if(result, [](const auto& group) { return group.empty(); });
+  return result;
+}
+
 }  // namespace
 
 MovingPair moving_pair(const FacePair& pair, double arm, std::size_t points, const Constraints& constraints,
@@ -78,6 +102,7 @@ MovingFaces::MovingFaces(std::vector<MovingPair> pairs, ContactMemory memory)
     auto& of_pair = number_.emplace_back();
     for (const auto& push : pair.pushes) of_pair.push_back(numbers[push.dof]);
   }
+  groups_ = groups_of(shared_, number_);
   change_.resize(pushed_.size());
   memory_.held.resize(2 * pairs_.size()), memory_.closed.resize(2 * pairs_.size());
 }
@@ -172,8 +197,91 @@ void MovingFaces::give_back(std::size_t pair, const FreeStep& step) {
   }
 }
 
-void MovingFaces::press(const FreeStep& step, Forces& forces) {
+/// Solves all pairs of a group in turn until nothing changes.
+void MovingFaces::settle(const std::vector<std::size_t>& group) {
   constexpr std::size_t most = 10000;
+  std::size_t sweeps = 0;
+  for (bool changes = true; changes; ++sweeps) {
+    if (sweeps == most)
+      throw NumericalError(
+          "contact of crack faces: forces where cracks meet do not settle: take a finer spacing, or remove `contact`");
+    changes = false;
+    for (const auto pair : group) changes = solve(pair) || changes;
+  }
+}
+
+/// Gives a group what those of its faces hold that open, as give_back() does: by forces in the ratio of those by which
+/// each alone would give its own. The others of the group are solved beside these forces.
+void MovingFaces::give_back_together(const std::vector<std::size_t>& group, const FreeStep& step) {
+  std::vector<AtFaces> along(group.size(), AtFaces{});
+  double energy = 0;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const auto W = compliance(group[i]);
+    for (const std::size_t face : {0, 1}) {
+      const std::size_t row = 2 * group[i] + face;
+      const double held = memory_.held[row];
+      if (contacts_[group[i]].force[face] > 0 || !memory_.closed[row] || !(held > 0) || !(W[2 * face] > 0)) continue;
+      along[i][face] = std::sqrt(held / W[2 * face]), energy += held;
+    }
+  }
+  const auto given = energy > 0 ? give(group, along, energy, step) : Given{};
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const auto before = opening(group[i], step, false), next = opening(group[i], step, true);
+    auto& force = contacts_[group[i]].force;
+    for (const std::size_t face : {0, 1}) {
+      double& held = memory_.held[2 * group[i] + face];
+      memory_.closed[2 * group[i] + face] = force[face] > 0;
+      if (force[face] > 0) held += force[face] * (before[face] - next[face]) / (step.first ? 4 : 2);
+      if (given.force > 0 && along[i][face] > 0)
+        held *= 1 - given.work / energy, force[face] += given.force * along[i][face];
+    }
+  }
+}
+
+/// Finds the force along these by which a group takes an energy over the step, and the work that it does; none where
+/// supports hold its faces together.
+MovingFaces::Given MovingFaces::give(const std::vector<std::size_t>& group, const std::vector<AtFaces>& along,
+                                     double energy, const FreeStep& step) {
+  constexpr int trials = 4;  // what touches beside these forces changes with them
+  constexpr double none = 1e-9;
+  const auto way = [&](bool next) {
+    double result = 0;
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      if (along[i] == AtFaces{}) continue;
+      const auto at = opening(group[i], step, next);
+      result += along[i][0] * at[0] + along[i][1] * at[1];
+    }
+    return result;
+  };
+  const double free = way(true), d = free - way(false);
+  press_along(group, along, 1);
+  double compliance = way(true) - free;
+  press_along(group, along, -1);
+  double force = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    if (!(compliance > none * energy)) {  // the sum of what the faces alone would have, as they are weighed
+      press_along(group, along, -force), settle(group);
+      return {};
+    }
+    const double next = (std::sqrt(d * d + 8 * compliance * energy) - d) / (2 * compliance);
+    press_along(group, along, next - force), force = next;
+    settle(group);
+    compliance = (way(true) - free) / force;
+  }
+  return {force, force * (d + compliance * force) / 2};
+}
+
+/// Adds forces along these to what moves, not to those of contact.
+void MovingFaces::press_along(const std::vector<std::size_t>& group, const std::vector<AtFaces>& along, double force) {
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    if (along[i] == AtFaces{}) continue;
+    const auto contact = contacts_[group[i]].force;
+    push(group[i], {force * along[i][0], force * along[i][1]});
+    contacts_[group[i]].force = contact;
+  }
+}
+
+void MovingFaces::press(const FreeStep& step, Forces& forces) {
   response_ = step.time_step * step.share / step.drag;
   for (std::size_t i = 0; i < pushed_.size(); ++i)
     change_[i] = step.time_step * (at_dof(step.velocity, pushed_[i]) + step.share * step.acceleration(pushed_[i]));
@@ -192,16 +300,10 @@ void MovingFaces::press(const FreeStep& step, Forces& forces) {
       size_ = std::max(size_, std::abs(pairs_[pair].pushes[i].shares[0] * change_[number_[pair][i]]));
   }
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) solve(pair);
-  std::size_t sweeps = 0;
-  for (bool changes = !shared_.empty(); changes; ++sweeps) {
-    if (sweeps == most)
-      throw NumericalError(
-          "contact of crack faces: forces where cracks meet do not settle: take a finer spacing, or remove `contact`");
-    changes = false;
-    for (const auto pair : shared_) changes = solve(pair) || changes;
-  }
+  for (const auto& group : groups_) settle(group);
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair)
     if (!std::ranges::binary_search(shared_, pair)) give_back(pair, step);
+  for (const auto& group : groups_) give_back_together(group, step);
   add_forces(step, forces);
 }
 

@@ -56,8 +56,8 @@ struct ContactMemory {
 
 /// Faces of cracks that do not overlap in time steps, without friction: the forces of a step are not negative, no
 /// opening is negative at the next one, and one of both is zero.
-/// Pairs of their own hold the energy that they lose as they meet until they open, and give it back then (theory.md,
-/// "Faces that touch").
+/// Pairs, and groups of pairs that share points, hold the energy that they lose as they meet until they open, and give
+/// it back then (theory.md, "Faces that touch").
 class MovingFaces {
 public:
   MovingFaces() = default;
@@ -91,6 +91,14 @@ private:
   AtFaces opening(std::size_t pair, const FreeStep& step, bool next) const;
   void push(std::size_t pair, const AtFaces& force);
   void give_back(std::size_t pair, const FreeStep& step);
+  void settle(const std::vector<std::size_t>& group);
+  void give_back_together(const std::vector<std::size_t>& group, const FreeStep& step);
+  struct Given {
+    double force = 0, work = 0;  // force: times those along which it acts
+  };
+  Given give(const std::vector<std::size_t>& group, const std::vector<AtFaces>& along, double energy,
+             const FreeStep& step);
+  void press_along(const std::vector<std::size_t>& group, const std::vector<AtFaces>& along, double force);
   void add_forces(const FreeStep& step, Forces& forces);
 
   std::vector<MovingPair> pairs_;
@@ -98,6 +106,7 @@ private:
   std::vector<Dof> pushed_;                       // what any pair pushes, once
   std::vector<std::vector<std::size_t>> number_;  // of every push of every pair, in pushed_
   std::vector<std::size_t> shared_;               // pairs that push what other pairs push
+  std::vector<std::vector<std::size_t>> groups_;  // of these, joined by what they push
   std::vector<double> change_;                    // of pushed_ over the step
   double size_ = 0;                               // of displacements of faces, beside which there is rounding
   double response_ = 0;                           // of a unit mass to a unit force, over the step [time^2]

@@ -231,7 +231,7 @@ TEST_CASE("contact in motion: a crack that opens and closes keeps energy and mom
   CHECK(found.overlap > -1e-13);                        // -6e-16
   CHECK(found.opening > 1e-3);
   CHECK(found.lost > 0);
-  CHECK(found.lost < (cracks.size() > 1 ? 0.5 : 0.05));  // 0.29 where cracks cross; 0.013
+  CHECK(found.lost < (cracks.size() > 1 ? 0.2 : 0.05));  // 0.11 where cracks cross; 0.013
   CHECK(found.momentum < 1e-10);                         // 7e-14
 }
 
@@ -242,14 +242,14 @@ TEST_CASE("contact in motion: bars of bonds hand over their velocity, turned and
   const auto found = hit(bars);
   CAPTURE(bars.spacing, bars.turn, found.duration, found.force, found.speed[0], found.speed[1], found.lost);
   const bool along = bars.turn != 27;
-  CHECK(found.duration == Approx(1).epsilon(0.01));               // 0.5, 0.2 %; 0.7 % oblique
-  CHECK(found.force == Approx(1).epsilon(along ? 0.015 : 0.06));  // 1.3, 0.8 %; 4.8 %
-  CHECK(found.speed[0] == Approx(0).margin(0.015));               // 0.008, 0.006; 0.013
-  CHECK(found.speed[1] == Approx(1).epsilon(0.01));               // 0.8, 0.6 %; 0.5 %
-  CHECK(std::abs(found.across) < 1e-10);                          // 4e-14
-  CHECK(found.momentum < 1e-10);                                  // 2e-12
-  CHECK(found.imbalance < 1e-10);                                 // 2e-13
-  CHECK(found.lost == Approx(0.2 * bars.spacing).epsilon(0.15));  // 0.4960, 0.2492 %; 0.57 % oblique
+  CHECK(found.duration == Approx(1).epsilon(along ? 0.012 : 0.025));  // 0.9 %; 1.9 % oblique
+  CHECK(found.force == Approx(1).epsilon(along ? 0.012 : 0.06));      // 0.8, 0.6 %; 4.3 %
+  CHECK(found.speed[0] == Approx(0).margin(0.01));                    // 0.003, 0.004; 0.007
+  CHECK(found.speed[1] == Approx(1).epsilon(0.005));                  // 0.3, 0.4 %; 0.1 %
+  CHECK(std::abs(found.across) < 1e-10);                              // 4e-14
+  CHECK(found.momentum < 1e-10);                                      // 2e-12
+  CHECK(found.imbalance < 1e-10);                                     // 2e-13
+  CHECK(std::abs(found.lost) < 1e-10);                                // places have given back all that they held
 }
 
 TEST_CASE("contact in motion: a crack in bonds that opens and closes keeps energy and momentum", "[in_plane]") {
@@ -262,7 +262,7 @@ TEST_CASE("contact in motion: a crack in bonds that opens and closes keeps energ
   CHECK(found.overlap > -1e-5);    // -6e-6, of the start
   CHECK(found.opening > 1e-3);
   CHECK(found.lost > 0);
-  CHECK(found.lost < 0.3);  // 0.27 in four times as long
+  CHECK(found.lost < 0.01);  // 0.0007; 0.005 in four times as long
   CHECK(found.momentum < 1e-10);
 }
 
