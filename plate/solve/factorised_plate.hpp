@@ -44,7 +44,7 @@ Unknowns owned_unknowns(const Boundary& boundary, std::size_t points);
 /// `shift` times the diagonal is added. Collective.
 std::unique_ptr<Factor> distributed_factor_of_any_sign(PointMatrix folded, const Boundary& boundary,
                                                        const Constraints& constraints, State free, double shift = 0);
-/// The same of a matrix that must be positive.
+/// Likewise of a matrix that must be positive.
 /// @throws NumericalError  where the matrix is not positive
 std::unique_ptr<Factor> distributed_factor(PointMatrix folded, const Boundary& boundary, const Constraints& constraints,
                                            State free, double shift = 0);
