@@ -102,6 +102,20 @@ def of_page(page, wanted):
     return wrong
 
 
+def of_first_sheets(report, summary):
+    """What a check needs and the first two sheets of paper lack: what governs, and all load cases with their supports."""
+    wrong = []
+    for size in ("A4", "letter"):
+        first, second = browser.sheets(report, size)[:2]
+        governing = max(summary["envelope"], key=lambda one: one["value"] * (one["quantity"] == "utilisation"))
+        if not re.search(rf"of the toughness +tip {governing['tip']} +{governing['value']:.3f} ± \S+ +{governing['case']}\n", first):
+            wrong.append(f"{size}: sheet 1 does not say that {governing['case']} governs")
+        tables = 3  # factors, deflections and stresses, forces of the supports
+        wrong += [f"{size}: sheet 2 has {found} rows of {one['name']}" for one in summary["load_cases"]
+                  if (found := len(re.findall(rf"^ *{one['name']} ", second, re.MULTILINE))) != tables]
+    return wrong
+
+
 def run_case(program, cases, folder, name):
     case, settings, wanted = CASES[name]
     out = folder / name
@@ -116,7 +130,7 @@ def run_case(program, cases, folder, name):
         summary = json.loads((out / "summary.json").read_text())
         page = browser.Page(out / "report.html")
         about_numbers, count = of_numbers(page, summary)
-        found = of_page(page, wanted) + about_numbers + ([] if count > 20 else [f"only {count} numbers"])
+        found = (of_first_sheets(out / "report.html", summary) if name == "canopy" else []) + of_page(page, wanted) + about_numbers + ([] if count > 20 else [f"only {count} numbers"])
         found += [f"no warning {text}" for text in summary["warnings"] if text not in page.text]
         wrong += [f"{name}, from {origin}: {what}" for what in found]
     return wrong
