@@ -158,6 +158,18 @@ function reactions_of_cases(all) {
   return [element("h3", {}, name ? `Forces of the supports along w [${name}]` : "Forces of the supports along w"), tables];
 }
 
+/** Moments of hubs and pins about their own centres in every load case and combination, where there are some. */
+function moments_of_cases(all) {
+  const supports = all.find(one => one.reactions?.supports)?.reactions.supports ?? [], parts = ["moment_x", "moment_y"];
+  const own = supports.flatMap((one, i) => (one.x === undefined ? [] : parts.map(part => ({ i, part, title: `${one.support} ${part.replace("moment_", "")}` }))));
+  const of = (n, { i, part }) => all[n].reactions?.supports[i][part] ?? 0, moments = all.flatMap((_, n) => own.map(one => of(n, one)));
+  const least = 1e-5 * extent() * largest(all.flatMap(one => (one.reactions?.supports ?? []).map(support => support.force)));
+  if (!(largest(moments) > least)) return null;
+  const { factor, name } = prefixed("moment", moments);
+  const cell = (n, k) => { const path = `load_cases[${n}].reactions.supports[${own[k].i}].${own[k].part}`; return Math.abs(of(n, own[k])) <= least ? value(path, 4, "0") : value(path, 4, null, factor); };
+  return [element("h3", {}, name ? `Moments of the supports about their own centres [${name}]` : "Moments of the supports about their own centres"), tables_of_cases(all, own.map(one => one.title), cell, "moments_of_cases")];
+}
+
 /** What supports do to the plate in its plane, of every load case and combination that has such forces. */
 function reactions_in_plane(all) {
   const forces = all.flatMap(one => (one.membrane?.reactions ?? []).flatMap(support => [support.force_x, support.force_y]));
@@ -256,7 +268,7 @@ function load_cases_section() {
     ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : with_error(`load_cases[${n}].extremes[${peak(one, name)}].value`, one.extremes[peak(one, name)].estimated_error, scales[name].factor, 5))), ...probes.cells(n)]);
   return section("Every load case", factors_of_cases(all), in_plane_of_cases(all),
     element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true, minor: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }, ...probes.columns], sizes, { "data-table": "extremes_of_cases" }),
-    probes.blocks, reactions_of_cases(all), reactions_in_plane(all), contact_of_cases(all),
+    probes.blocks, reactions_of_cases(all), moments_of_cases(all), reactions_in_plane(all), contact_of_cases(all),
     all.some(one => one.superposed === false) ? note(`Combinations are solved under their own loads: states with ${all.some(one => one.contact) ? "contact of crack faces" : "large deflections"} are not superposed.`) : null,
     note("Frames and rows of tables count load cases, then combinations, from 1 in the place of time."));
 }
