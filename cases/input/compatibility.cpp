@@ -43,7 +43,6 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
     {coupled_section, "plies that are not symmetric or have `alpha1` or `alpha2`, or a stiffener with `eccentricity`"},
-    {coupled_modes, "frequencies or buckling of such plies or stiffeners"},
     {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
     {factors_to_accuracy, "`srif.accuracy`"},
@@ -281,8 +280,6 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, factors_to_accuracy, "srif.accuracy", of_uncoupled},
     {coupled_section, richardson, "srif.richardson", of_uncoupled},
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
-    {coupled_modes, processes, "analysis.kind",
-     by_one_process("modes of coupled bending and stretching cannot be found")},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
 };
@@ -371,7 +368,6 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
   add(content.coupled(), coupled_section);
-  add(content.coupled() && (a.kind == Kind::frequencies || a.kind == Kind::buckling), coupled_modes);
   add(content.section.heavier_on_one_side(), heavier_on_one_side);
   const bool axial = std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches);
   add(axial, axial_stiffener);

@@ -41,7 +41,6 @@ enum class Part {
   varied_section,
   directed_section,
   coupled_section,
-  coupled_modes,
   heavier_on_one_side,
   axial_stiffener,
   factors_to_accuracy,

@@ -10,6 +10,7 @@
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/buckling.hpp"
 #include "plate/solve/coupled_modes.hpp"
 #include "plate/solve/coupled_plate.hpp"
@@ -241,7 +242,7 @@ plate::PointMatrix BucklingRun::coupled_prestress() {
   summary().membrane = membrane_results(plate_, membrane, at_rest, loads, plate::heat_of(membrane, 1),
                                         {no_factors, ready_.membrane_methods}, "in the plane")
                            .summary;
-  const double w = at_rest.bending.row(0).cwiseAbs().maxCoeff();
+  const double w = plate::largest_of(plate_, at_rest.bending.row(0).cwiseAbs().maxCoeff());
   if (w > flat * summary().membrane->largest_displacement)
     outputs_.warn(
         {fmt::format("the loads bend the coupled plate before it buckles, w = {:.2g} at factor 1: set "

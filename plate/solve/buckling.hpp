@@ -42,6 +42,27 @@ Eigenvectors largest_eigenvectors(const Eigen::SparseMatrix<double>& A, const Ei
 std::vector<BucklingMode> buckling(const Formulation& plate, const PointMatrix& geometric, std::size_t modes,
                                    double tolerance);
 
+/// A x = mu B x of a plate that ranks share: A, positive, and a matrix that is `share` times B.
+struct SharedPencil {
+  const Operator& stiffness;       // A
+  const Constraints& constraints;  // of its points
+  const Preconditioner* inverse;   // of A, for conjugate gradients; null: its diagonal
+  const PointMatrix& other;        // right in the rows of owned points
+  double share = 1;
+  State start;          // of any shape that has a share of all vectors
+  const char* purpose;  // names the analysis in messages
+};
+struct SharedEigenvector {
+  double value;     // mu
+  double residual;  // |A x - B x / mu| / |A x|, in the norm of StaticOptions
+  State vector;     // x = P q
+};
+
+/// The positive mu of B x = mu A x, descending: `count` at most, multiple ones as often as they are. Collective.
+/// @throws NumericalError  where the iteration does not converge
+std::vector<SharedEigenvector> largest_shared_eigenvectors(const SharedPencil& pencil, std::size_t count,
+                                                           double tolerance);
+
 /// Buckling of a distributed plate, by conjugate gradients in place of a factor. Collective.
 std::vector<BucklingMode> distributed_buckling(const Formulation& plate, const PointMatrix& geometric,
                                                std::size_t modes, double tolerance);

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/model/space.hpp"
+#include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/stretching.hpp"
 
@@ -115,6 +118,21 @@ MatrixXd without_motions_in_plane(const MatrixXd& vectors, Index count, const Ma
   return vectors * eigen.eigenvectors().rightCols(vectors.cols() - count);
 }
 
+/// The state of a distributed plate and of its plane, of which the largest |w|, |u| and |v| is 1, and positive.
+std::pair<State, State> scaled(const Constraints& constraints, const State& both) {
+  const State bending = of_plate(both), in_plane = of_plane(both);
+  MatrixXd displacements(3, bending.cols());
+  displacements << bending.row(0), -in_plane.row(1), in_plane.row(2);
+  const double high = largest_of(constraints, displacements.maxCoeff()),
+               low = largest_of(constraints, -displacements.minCoeff()), size = high >= low ? high : -low;
+  return {bending / size, in_plane / size};
+}
+
+/// A stacked state of any shape.
+State any_shape(const Formulation& plate, const Formulation& membrane) {
+  return stacked(start_by_place(plate).value(), start_by_place(membrane).value());
+}
+
 const char* const buckled =
     "the plate buckles below these loads and has no frequencies: find them by kind = \"buckling\"";
 
@@ -144,6 +162,69 @@ MatrixXd lowest(const Matrix& K, const Matrix& M, Index rigid, const CoupledUnkn
   return result;
 }
 
+/// Frequencies of a coupled plate that ranks share, whose plane supports hold.
+FrequencySolution shared_frequencies(const Formulation& plate, const Formulation& membrane, double rotary,
+                                     const PointMatrix* geometric, const FrequencyOptions& options) {
+  const auto none = no_blocks(plate.points()), coupling = plate.coupling(), mass = stacked_mass(plate, rotary);
+  const auto constraints = stacked(plate.constraints(), pinned(membrane), plate.points());
+  const auto linear = CoupledPlate::stiffness(plate, membrane, coupling);
+  auto more = stacked_matrix(geometric ? *geometric : none, none, none);
+  add(mass, options.shift, more);
+  const StressedPlate shifted(*linear, more);
+  const auto stiffness = with_first(more, stacked_matrix(plate.stiffness(), membrane.stiffness(), coupling));
+  const auto inverse = [&] {
+    try {
+      return AssembledPlate(*linear, constraints, stiffness, &plate.boundary());
+    } catch (const NotPositive&) {
+      throw NumericalError(buckled);
+    }
+  }();
+  const auto found = largest_shared_eigenvectors({.stiffness = shifted,
+                                                  .constraints = constraints,
+                                                  .inverse = &inverse,
+                                                  .other = mass,
+                                                  .start = any_shape(plate, membrane),
+                                                  .purpose = "frequencies"},
+                                                 options.modes, options.tolerance);
+  const auto kinetic = [&](const State& state) {
+    const Forces work = state.cwiseProduct(product(mass, state));
+    return plate.sum_of_points((of_plate(work) + of_plane(work)).colwise().sum().transpose());
+  };
+  FrequencySolution result;
+  for (const auto& [value, residual, vector] : found) {
+    const double square = 1 / value - options.shift;
+    if (geometric && square < 0 && plate.held()) throw NumericalError(buckled);
+    auto [bending, in_plane] = scaled(constraints, vector);
+    const double alone = kinetic(stacked(zero_like(in_plane), in_plane));
+    const double share = alone / kinetic(stacked(bending, in_plane));
+    result.modes.push_back({std::sqrt(std::max(square, 0.0)) / (2 * std::numbers::pi), residual, std::move(bending),
+                            std::move(in_plane), share});
+  }
+  return result;
+}
+
+/// Buckling of a coupled plate that ranks share.
+std::vector<BucklingMode> shared_buckling(const Formulation& plate, const Formulation& membrane,
+                                          const PointMatrix& geometric, std::size_t modes, double tolerance) {
+  const CoupledPlate both(plate, membrane);
+  const auto none = no_blocks(plate.points());
+  const auto of_both = stacked_matrix(geometric, none, none);
+  const auto found = largest_shared_eigenvectors({.stiffness = both.of_both(),
+                                                  .constraints = both.constraints(),
+                                                  .inverse = &both.inverse(),
+                                                  .other = of_both,
+                                                  .share = -1,
+                                                  .start = any_shape(plate, membrane),
+                                                  .purpose = "buckling"},
+                                                 modes, tolerance);
+  std::vector<BucklingMode> result;
+  for (const auto& [value, residual, vector] : found) {
+    auto [bending, in_plane] = scaled(both.constraints(), vector);
+    result.push_back({1 / value, residual, std::move(bending), std::move(in_plane)});
+  }
+  return result;
+}
+
 }  // namespace
 
 CoupledPrestress coupled_prestress(const Formulation& plate, const Formulation& membrane) {
@@ -162,6 +243,7 @@ CoupledPrestress coupled_prestress(const Formulation& plate, const Formulation& 
 
 FrequencySolution coupled_frequencies(const Formulation& plate, const Formulation& membrane, double rotary,
                                       const PointMatrix* geometric, const FrequencyOptions& options) {
+  if (plate.distributed()) return shared_frequencies(plate, membrane, rotary, geometric, options);
   const CoupledUnknowns both(plate, membrane, membrane.constraints());
   const auto rigid = Index(pinned(membrane).held().size() - membrane.constraints().held().size());
   const Matrix M = both.matrix(stacked_mass(plate, rotary));
@@ -207,6 +289,7 @@ Inertia coupled_inertia(const Formulation& plate, double rotary, const Constrain
 std::vector<BucklingMode> coupled_buckling(const Formulation& plate, const Formulation& membrane,
                                            const PointMatrix& geometric, std::size_t modes, double tolerance) {
   constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
+  if (plate.distributed()) return shared_buckling(plate, membrane, geometric, modes, tolerance);
   const CoupledUnknowns both(plate, membrane, pinned(membrane));
   const Matrix &K = both.stiffness(), K_g = both.of_deflections(geometric);
   const auto [inverse_factors, vectors, solutions] =

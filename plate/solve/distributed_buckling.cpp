@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -24,17 +27,16 @@ using Eigen::VectorXd;
 constexpr double inner_tolerance = 1e-3;  // of a solution, relative to that of the eigenpairs
 constexpr std::size_t most_iterations = 200000;
 
-/// K and K_g of a distributed plate, on the free degrees of freedom; all others of a vector are zero. Collective.
-class BucklingPencil {
+/// A and B of a distributed plate, on the free degrees of freedom; all others of a vector are zero. Collective.
+class FreePencil {
 public:
-  BucklingPencil(const Formulation& plate, const PointMatrix& geometric, double tolerance)
-      : plate_(plate),
-        geometric_(geometric),
-        preconditioner_(plate.preconditioner(Preconditioning::automatic)),
+  FreePencil(const SharedPencil& given, double tolerance)
+      : given_(given),
         options_{tolerance, most_iterations, {}},
-        weight_(folded_diagonal(plate, constraints()).unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; })) {}
+        weight_(
+            folded_diagonal(given.stiffness, constraints()).unaryExpr([](double d) { return d > 0 ? 1 / d : 0.0; })) {}
 
-  const Constraints& constraints() const { return plate_.constraints(); }
+  const Constraints& constraints() const { return given_.constraints; }
   State free(const State& state) const { return (weight_.array() > 0).select(state, 0.0); }
   State imposed(State vector) const {
     constraints().impose(vector);
@@ -42,60 +44,62 @@ public:
   }
   Forces stiffness_times(const State& vector) const {
     Forces force;
-    plate_.internal_force(imposed(vector), force);
+    given_.stiffness.internal_force(imposed(vector), force);
     constraints().fold(force);
     return free(-force);
   }
-  /// -K_g of the vector.
-  Forces softened(const State& vector) const {
-    Forces force = -product(geometric_, imposed(vector));
+  Forces other_times(const State& vector) const {
+    Forces force = given_.share * product(given_.other, imposed(vector));
     constraints().fold(force);
     return free(force);
   }
   State solved(const Forces& load) const {
-    stop_if_asked("buckling", constraints());
-    auto found = conjugate_gradients(plate_, constraints(), load, options_, preconditioner_.inverse.get());
-    if (!found.converged) throw NumericalError("buckling: conjugate gradients " + found.stop_reason);
+    stop_if_asked(given_.purpose, constraints());
+    auto found = conjugate_gradients(given_.stiffness, constraints(), load, options_, given_.inverse);
+    if (!found.converged)
+      throw NumericalError(std::string(given_.purpose) + ": conjugate gradients " + found.stop_reason);
     return free(found.state);
   }
   /// Smooth and of all modes.
-  State start() const { return solved(free(start_by_place(plate_).value())); }
+  State start() const { return solved(free(given_.start)); }
+  /// Another one.
+  State second_start() const { return solved(free(given_.start.cwiseAbs2())); }
   double dot(const State& a, const State& b) const {
-    return ordered_sum<1>(plate_, std::size_t(a.size()),
+    return ordered_sum<1>(constraints(), std::size_t(a.size()),
                           [&](std::size_t i) { return std::array<double, 1>{a.data()[i] * b.data()[i]}; })[0];
   }
   double norm(const Forces& force) const { return std::sqrt(dot(force.cwiseProduct(weight_), force)); }
-  /// Largest |1 / factor| of single points.
+  /// Largest |mu| of single points.
   double largest_of_points() const {
-    Forces diagonal = zero_forces(geometric_.points());
-    for (std::size_t k = 0; k < geometric_.points(); ++k)
-      diagonal.col(Index(k)) = geometric_.block[geometric_.first[k]].diagonal();
+    const auto& matrix = given_.other;
+    Forces diagonal = zero_forces(matrix.points());
+    for (std::size_t k = 0; k < matrix.points(); ++k) diagonal.col(Index(k)) = matrix.block[matrix.first[k]].diagonal();
     constraints().fold_diagonal(diagonal);
-    return largest_of(plate_, diagonal.cwiseAbs().cwiseProduct(weight_).maxCoeff());
+    return largest_of(constraints(), diagonal.cwiseAbs().cwiseProduct(weight_).maxCoeff());
   }
 
 private:
-  const Formulation& plate_;
-  const PointMatrix& geometric_;
-  ChosenPreconditioner preconditioner_;
+  const SharedPencil& given_;
   StaticOptions options_;
   Forces weight_;
 };
 
-/// Lanczos vectors of K^-1 (-K_g), orthonormal by K, with restarts that keep the best of them.
+/// Lanczos vectors of A^-1 B, orthonormal by A, with restarts that keep the best of them.
 class LanczosOfPencil {
 public:
-  LanczosOfPencil(const BucklingPencil& pencil, Index count, Index basis)
-      : pencil_(pencil), count_(count), basis_(basis) {}
+  /// `known`: vectors of length 1 by A, which are taken out.
+  LanczosOfPencil(const FreePencil& pencil, Index count, Index basis, const std::vector<State>& known = {})
+      : pencil_(pencil), count_(count), basis_(basis), out_(known) {
+    for (const auto& one : known) images_out_.push_back(pencil.stiffness_times(one));
+  }
 
   /// Goes on until the largest pairs are known; false where they are not in so many restarts.
-  bool find(double tolerance, std::size_t most_restarts) {
-    State next = pencil_.start();
+  bool find(State next, double tolerance, std::size_t most_restarts) {
     for (std::size_t restart = 0; restart <= most_restarts; ++restart) {
       double left = orthogonal(next);
       while (left > 0 && Index(vectors_.size()) < basis_) {
         add(next / left);
-        next = pencil_.solved(softened_), left = orthogonal(next);
+        next = pencil_.solved(by_other_), left = orthogonal(next);
       }
       ritz_ = eigenpairs(projected_.topLeftCorner(Index(vectors_.size()), Index(vectors_.size())));
       if (!(left > 0) || known(left, tolerance)) return true;
@@ -120,20 +124,22 @@ private:
   double orthogonal(State& next) {
     constexpr double rounding = 1e-12;
     const double before = std::sqrt(pencil_.dot(next, pencil_.stiffness_times(next)));
-    for (int twice = 0; twice < 2; ++twice)
-      for (std::size_t i = 0; i < vectors_.size(); ++i) next -= pencil_.dot(images_[i], next) * vectors_[i];
+    const auto take_out = [&](const std::vector<State>& vectors, const std::vector<State>& images) {
+      for (std::size_t i = 0; i < vectors.size(); ++i) next -= pencil_.dot(images[i], next) * vectors[i];
+    };
+    for (int twice = 0; twice < 2; ++twice) take_out(out_, images_out_), take_out(vectors_, images_);
     const double left = std::sqrt(pencil_.dot(next, pencil_.stiffness_times(next)));
     return left > rounding * before ? left : 0;
   }
 
   void add(State vector) {
     images_.push_back(pencil_.stiffness_times(vector));
-    softened_ = pencil_.softened(vector);
+    by_other_ = pencil_.other_times(vector);
     vectors_.push_back(std::move(vector));
     const auto size = Index(vectors_.size());
     projected_.conservativeResize(size, size);
     for (Index i = 0; i < size; ++i)
-      projected_(i, size - 1) = projected_(size - 1, i) = pencil_.dot(vectors_[std::size_t(i)], softened_);
+      projected_(i, size - 1) = projected_(size - 1, i) = pencil_.dot(vectors_[std::size_t(i)], by_other_);
   }
 
   /// True where the residuals of the wanted pairs are small; of pairs that are not positive beside the largest.
@@ -159,34 +165,80 @@ private:
     projected_ = values.asDiagonal();
   }
 
-  const BucklingPencil& pencil_;
+  const FreePencil& pencil_;
   Index count_, basis_;
-  std::vector<State> vectors_, images_;  // images: by K
-  Forces softened_;                      // of the last vector
+  std::vector<State> out_, images_out_, vectors_, images_;  // images: by A
+  Forces by_other_;                                         // B times the last vector
   MatrixXd projected_;
   Eigenpairs ritz_{};
 };
 
 }  // namespace
 
+namespace {
+
+/// Adds to the pairs found those as large that a Krylov space, which holds one vector of each multiple value, left out.
+void find_multiple(const FreePencil& pencil, double tolerance, std::vector<std::pair<double, State>>& found) {
+  constexpr double rough = 1e-2;  // enough to see how large the largest of the rest is
+  constexpr Index basis = 24;
+  constexpr std::size_t most_restarts = 300;
+  const auto count = found.size();
+  for (;;) {
+    std::vector<State> known;
+    for (const auto& [value, vector] : found) known.push_back(vector);
+    const auto largest = [&](double accuracy) -> std::optional<std::pair<double, State>> {
+      LanczosOfPencil lanczos(pencil, 1, basis, known);
+      if (!lanczos.find(pencil.second_start(), accuracy, most_restarts) || lanczos.found() == 0) return std::nullopt;
+      return std::pair{lanczos.value(0), lanczos.vector(0)};
+    };
+    const double least = found[count - 1].first;
+    auto more = largest(rough);
+    if (!more || more->first * (1 + rough) < least) return;
+    more = largest(tolerance);
+    if (!more || more->first <= least * (1 + tolerance)) return;
+    found.insert(std::ranges::find_if(found, [&](const auto& one) { return one.first < more->first; }), *more);
+  }
+}
+
+}  // namespace
+
+std::vector<SharedEigenvector> largest_shared_eigenvectors(const SharedPencil& given, std::size_t count,
+                                                           double tolerance) {
+  constexpr double none = 1e-9;  // of the largest |mu| of single points: rounding
+  constexpr std::size_t most_restarts = 300;
+  const FreePencil pencil(given, inner_tolerance * tolerance);
+  LanczosOfPencil lanczos(pencil, Index(count), std::max<Index>(3 * Index(count) + 8, 24));
+  const bool converged = lanczos.find(pencil.start(), tolerance, most_restarts);
+  const double least = none * pencil.largest_of_points();
+  if (!converged && lanczos.value(0) > least)
+    throw NumericalError(std::string(given.purpose) + ": the Lanczos iteration does not converge");
+  std::vector<std::pair<double, State>> found;
+  for (Index i = 0; i < lanczos.found() && lanczos.value(i) > least; ++i)
+    found.emplace_back(lanczos.value(i), lanczos.vector(i));
+  if (found.size() == count) find_multiple(pencil, tolerance, found);
+  std::vector<SharedEigenvector> result;
+  for (std::size_t i = 0; i < std::min(count, found.size()); ++i) {
+    const auto& [value, x] = found[i];
+    const Forces image = pencil.stiffness_times(x);
+    result.push_back(
+        {value, pencil.norm(image - pencil.other_times(x) / value) / pencil.norm(image), pencil.imposed(x)});
+  }
+  return result;
+}
+
 std::vector<BucklingMode> distributed_buckling(const Formulation& plate, const PointMatrix& geometric,
                                                std::size_t modes, double tolerance) {
-  constexpr double none = 1e-9;  // of the largest |1 / factor| of single points: rounding
-  constexpr std::size_t most_restarts = 300;
-  const BucklingPencil pencil(plate, geometric, inner_tolerance * tolerance);
-  const auto count = Index(modes);
-  LanczosOfPencil lanczos(pencil, count, std::max<Index>(3 * count + 8, 24));
-  const bool converged = lanczos.find(tolerance, most_restarts);
-  const double least = none * pencil.largest_of_points();
-  if (!converged && lanczos.value(0) > least) throw NumericalError("buckling: the Lanczos iteration does not converge");
+  const auto preconditioner = plate.preconditioner(Preconditioning::automatic);
+  const SharedPencil pencil{.stiffness = plate,
+                            .constraints = plate.constraints(),
+                            .inverse = preconditioner.inverse.get(),
+                            .other = geometric,
+                            .share = -1,
+                            .start = start_by_place(plate).value(),
+                            .purpose = "buckling"};
   std::vector<BucklingMode> result;
-  for (Index i = 0; i < lanczos.found() && lanczos.value(i) > least; ++i) {
-    const double factor = 1 / lanczos.value(i);
-    const State x = lanczos.vector(i);
-    const Forces bent = pencil.stiffness_times(x);
-    result.push_back({factor, pencil.norm(bent - factor * pencil.softened(x)) / pencil.norm(bent),
-                      normalized(plate.constraints(), pencil.imposed(x))});
-  }
+  for (const auto& [value, residual, vector] : largest_shared_eigenvectors(pencil, modes, tolerance))
+    result.push_back({1 / value, residual, normalized(plate.constraints(), vector)});
   return result;
 }
 

@@ -108,28 +108,6 @@ Forces free_diagonal(const PointMatrix& matrix, const Constraints& constraints) 
   return result;
 }
 
-/// The sum of a matrix and one of its first points.
-PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
-  const auto each_row = [](const PointMatrix& matrix, std::size_t k, const auto& visit) {
-    if (k >= matrix.points()) return;
-    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) visit(b);
-  };
-  auto result = zeros(of_all.points(), [&](Column& column, std::uint32_t k) {
-    for (const auto* matrix : {&of_first, &of_all})
-      each_row(*matrix, k, [&](std::size_t b) { column.couple(matrix->row[b]); });
-  });
-#pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < result.points(); ++k)
-    for (const auto* matrix : {&of_first, &of_all}) {
-      auto at = result.first[k];
-      each_row(*matrix, k, [&](std::size_t b) {
-        while (result.row[at] != matrix->row[b]) ++at;
-        result.block[at] += matrix->block[b];
-      });
-    }
-  return result;
-}
-
 /// Work of forces, which are not folded, on a state, over all ranks.
 double work(const Formulation& plate, const Forces& forces, const State& state) {
   return plate.sum_of_points(forces.cwiseProduct(state).colwise().sum().transpose());
@@ -204,6 +182,27 @@ double integral(const std::array<double, 2>& of, const std::array<double, 2>& of
 }
 
 }  // namespace
+
+PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
+  const auto each_row = [](const PointMatrix& matrix, std::size_t k, const auto& visit) {
+    if (k >= matrix.points()) return;
+    for (auto b = matrix.first[k]; b < matrix.first[k + 1]; ++b) visit(b);
+  };
+  auto result = zeros(of_all.points(), [&](Column& column, std::uint32_t k) {
+    for (const auto* matrix : {&of_first, &of_all})
+      each_row(*matrix, k, [&](std::size_t b) { column.couple(matrix->row[b]); });
+  });
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < result.points(); ++k)
+    for (const auto* matrix : {&of_first, &of_all}) {
+      auto at = result.first[k];
+      each_row(*matrix, k, [&](std::size_t b) {
+        while (result.row[at] != matrix->row[b]) ++at;
+        result.block[at] += matrix->block[b];
+      });
+    }
+  return result;
+}
 
 Constraints pinned(const Formulation& membrane) {
   if (membrane.distributed()) return membrane.constraints_about();

@@ -67,6 +67,9 @@ struct LargeDeflections {
 /// distributed plate, which supports hold, those of constraints_about().
 Constraints pinned(const Formulation& membrane);
 
+/// The sum of a matrix and one of its first points.
+PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all);
+
 /// The middle plane of a plate (PlateLaw::membrane) in equilibrium with given deflections. Pins hold the rigid motions
 /// that no support of the plane prevents.
 class MiddlePlane {

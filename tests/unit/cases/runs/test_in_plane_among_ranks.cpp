@@ -296,7 +296,7 @@ TEST_CASE("a plate in parts: growth under loads in the plane, at rest and in mot
   auto at_rest = strip, moving = strip;
   at_rest.insert(at_rest.end(),
                  {"discretization={spacing=0.03,formulation='galerkin'}", "analysis={kind='static',tolerance=1e-8}",
-                  "growth={fracture_energy=1.0,control='equilibrium',max_advances=3}"});
+                  "growth={fracture_energy=1.0,control='equilibrium',max_advances=1}"});
   moving.insert(moving.end(), {"discretization={spacing=0.03,formulation='ordinary'}", "section.density=1",
                                "analysis={kind='dynamic',duration=0.05}", "growth={fracture_energy=0.001}"});
   for (const auto& settings : {at_rest, moving}) {
@@ -312,5 +312,28 @@ TEST_CASE("a plate in parts: growth under loads in the plane, at rest and in mot
       for (const auto& [name, energy] : ordinary.energies)
         CHECK(many->energies.at(name) == Approx(energy).epsilon(1e-6));
     }
+  }
+}
+
+TEST_CASE("a plate in parts: buckling and frequencies where a stiffener couples bending and stretching") {
+  const std::string rib =
+      "stiffener=[{along=[[-0.42,-0.7],[0.35,0.8]],bending=0.05,axial=30.0,eccentricity=0.15,mass=0.1}]";
+  auto buckling = with_modes("{kind='buckling',modes=3,tolerance=1e-8}", false),
+       vibrating = with_modes("{kind='frequencies',modes=3,tolerance=1e-8}", false);
+  for (auto* settings : {&buckling, &vibrating}) {
+    settings->push_back(rib);
+    settings->emplace_back(
+        "support=[{kind='simply_supported',edges=['bottom'],in_plane='fixed'},{kind='simply_supported',edges=['top']}"
+        "]");
+  }
+  const auto pressed = read(plain, buckling), modes = read(plain, vibrating);
+  const auto factors = found(pressed, 0), frequencies = found(modes, 0);
+  REQUIRE(frequencies.frequencies.rows.size() == 3);
+  for (const int processes : {1, 3}) {
+    INFO(processes << " processes");
+    const auto many = found(pressed, processes);
+    CHECK(many.warnings == factors.warnings);
+    CHECK(apart(factors, many, "buckling", {"factor"}) < 1e-10);
+    CHECK(apart(frequencies.frequencies, found(modes, processes).frequencies, {"frequency"}) < 1e-10);
   }
 }
