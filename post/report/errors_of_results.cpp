@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 
 #include "plate/formulation/boundary.hpp"
@@ -79,7 +78,6 @@ const Peak* peak_of(const std::vector<Peak>& peaks, const std::string& quantity)
 std::pair<const char*, const char*> group_and_size(const std::string& quantity) {
   static const std::map<std::string, std::pair<const char*, const char*>> all{
       {"w", {"bending", "w"}},
-      {"w", {"bending", "w"}},
       {"theta_x", {"bending", "theta"}},
       {"theta_y", {"bending", "theta"}},
       {"u", {"plane", "u"}},
@@ -108,7 +106,7 @@ void set_errors_of_displacements(const Alike& own, const Alike& other, double sh
     if (const auto* there = peak_of(other.extremes, one.quantity))
       group(one.quantity == "w" ? "bending" : "largest stress")
           .add(one.quantity, std::abs(one.value), std::abs(there->value), one.error);
-  group("bending").add("energy", own.strain_energy, other.strain_energy, own.energy_error);
+  if (own.strain_energy > 0) group("bending").add("energy", own.strain_energy, other.strain_energy, own.energy_error);
   const auto compare = [&](std::vector<ProbeValue>& values, const std::vector<ProbeValue>& there) {
     for (std::size_t i = 0; i < std::min(values.size(), there.size()); ++i) {
       const auto& [where, kind] = group_and_size(values[i].quantity);
