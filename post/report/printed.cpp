@@ -380,11 +380,12 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   sums(out, summary.lines);
   const bool both = !summary.frequencies.empty() && summary.frequencies.front().share_in_plane;
   if (!summary.frequencies.empty())
-    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}{}\n", "mode", "frequency", "omega", "residual",
-                   both ? "  share in plane" : "");
+    fmt::format_to(out, "{:>4} {:>13} {:>13} {:>9}{}{}\n", "mode", "frequency", "omega", "residual",
+                   both ? "  share in plane" : "", summary.frequencies.front().error ? "     error" : "");
   for (const auto& f : summary.frequencies)
-    fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}{}\n", f.mode, f.frequency, f.omega, f.residual,
-                   both ? fmt::format("  {:>14.3g}", f.share_in_plane.value_or(0)) : "");
+    fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}{}{}\n", f.mode, f.frequency, f.omega, f.residual,
+                   both ? fmt::format("  {:>14.3g}", f.share_in_plane.value_or(0)) : "",
+                   f.error && f.frequency > 0 ? fmt::format("{:>8.2g} %", 100 * *f.error / f.frequency) : "");
   if (!summary.buckling.empty())
     fmt::format_to(out, "{:>4} {:>15} {:>9} {:>9}\n", "mode", "load factor", "residual", "error");
   for (const auto& one : summary.buckling)
