@@ -283,7 +283,7 @@ std::optional<post::OtherResults> other_results(const CaseFile& file, const RunO
   };
   if (file.content.discretization.formulation->offers(plate::Feature::horizon))
     if (auto found = results_of([&] { return in_other_formulation(coarser(2)); }, options))
-      return post::OtherResults{std::move(*found), of_bonds};
+      return post::OtherResults{std::move(*found), of_bonds, 3, 1};
   for (const double ratio : {3.0, 2.0, 1.5})
     if (auto found = results_of([&] { return coarser(ratio); }, options))
       return post::OtherResults{std::move(*found), margin / (ratio - 1)};

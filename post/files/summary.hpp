@@ -253,7 +253,9 @@ struct Summary {
 /// Results of the same case by other points.
 struct OtherResults {
   Summary summary;
-  double share = 1;  // of the difference that is the error of a result
+  double share = 1;              // of the difference that is the error of a result
+  double of_largest_stress = 2;  // times that is the error of the largest stress, which is at an edge as a rule
+  double floor = 0.3;            // of the largest relative error of moments and forces that each of them has at least
 };
 
 std::string to_json(const Summary& summary);

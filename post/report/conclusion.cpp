@@ -68,11 +68,11 @@ namespace {
 
 using geometry::Point;
 
-/// Corners at which plates have no finite stress: those that point into the plate, and those between a clamped and a
-/// free edge (Williams 1952: of more than 60 degrees). Corners of less than 45 degrees from straight are edges that
-/// bend.
+/// Corners at which plates have no finite stress (Williams 1952): those that point into the plate, those between a
+/// clamped and a free edge of more than 60 degrees, and blunt ones of simply supported edges. Corners of less than 45
+/// degrees from straight are edges that bend.
 void add_corners(const geometry::Polygon& ring, bool outer, const plate::Problem& problem, std::vector<Point>& found) {
-  constexpr double straight = 180, bend = 45, least = 60;  // [degrees]
+  constexpr double straight = 180, bend = 45, least = 60, right = 95;  // [degrees]
   const auto holds = [&](const std::string& edge, bool clamped) {
     return std::ranges::any_of(problem.supports, [&](const plate::Support& support) {
       return !support.holds_nothing() && std::ranges::find(support.edges, edge) != support.edges.end() &&
@@ -93,7 +93,9 @@ void add_corners(const geometry::Polygon& ring, bool outer, const plate::Problem
     const double angle = outer ? to_the_left : 360 - to_the_left;
     const auto &one = ring.edge_names[(i + count - 1) % count], &other = ring.edge_names[i];
     const bool loose = (holds(one, true) && !holds(other, false)) || (holds(other, true) && !holds(one, false));
-    if (angle > straight + bend || (loose && angle > least)) found.push_back(at);
+    const bool simple = holds(one, false) && holds(other, false) && !holds(one, true) && !holds(other, true);
+    if (angle > straight + bend || (loose && angle > least) || (simple && angle > right && angle < straight - bend))
+      found.push_back(at);
   }
 }
 

@@ -99,13 +99,17 @@ std::pair<const char*, const char*> group_and_size(const std::string& quantity) 
   return all.at(quantity);
 }
 
-void set_errors_of_displacements(const Alike& own, const Alike& other, double share) {
+void set_errors_of_displacements(const Alike& own, const Alike& other, const OtherResults& by) {
   std::map<std::string, Differences> groups;
-  const auto group = [&](const char* name) -> Differences& { return groups.try_emplace(name, share).first->second; };
+  const auto group = [&](const char* name) -> Differences& { return groups.try_emplace(name, by.share).first->second; };
   for (auto& one : own.extremes)
-    if (const auto* there = peak_of(other.extremes, one.quantity))
-      group(one.quantity == "w" ? "bending" : "largest stress")
-          .add(one.quantity, std::abs(one.value), std::abs(there->value), one.error);
+    if (const auto* there = peak_of(other.extremes, one.quantity)) {
+      const double size = std::abs(one.value), that = std::abs(there->value);
+      if (one.quantity == "w")
+        group("bending").add("w", size, that, one.error);
+      else
+        one.error = std::max(one.error.value_or(0), by.of_largest_stress * by.share * std::abs(size - that));
+    }
   if (own.strain_energy > 0) group("bending").add("energy", own.strain_energy, other.strain_energy, own.energy_error);
   const auto compare = [&](std::vector<ProbeValue>& values, const std::vector<ProbeValue>& there) {
     for (std::size_t i = 0; i < std::min(values.size(), there.size()); ++i) {
@@ -118,7 +122,7 @@ void set_errors_of_displacements(const Alike& own, const Alike& other, double sh
     group("plane").add("u", own.membrane->largest_displacement, other.membrane->largest_displacement,
                        own.membrane->error);
   // all of a deflection is off where its supports are; moments are so in places
-  for (const auto& [name, differences] : groups) differences.set(name == "bending" || name == "plane" ? 1 : 0.3);
+  for (const auto& [name, differences] : groups) differences.set(name == "bending" || name == "plane" ? 1 : by.floor);
 }
 
 /// Forces, and moments over the size of the plate, of every support by name.
@@ -152,8 +156,9 @@ void set_errors_of_forces_in_plane(MembraneSummary& own, const MembraneSummary& 
   for (std::size_t i = 0; i < errors.size(); ++i) own.reactions[i].error = std::max(*errors[i][0], *errors[i][1]);
 }
 
-void set_errors_alike(const Alike& own, const Alike& other, double share, double size) {
-  set_errors_of_displacements(own, other, share);
+void set_errors_alike(const Alike& own, const Alike& other, const OtherResults& by, double size) {
+  set_errors_of_displacements(own, other, by);
+  const double share = by.share;
   if (own.reactions && other.reactions) set_errors_of_reactions(*own.reactions, *other.reactions, share, size);
   if (own.membrane && other.membrane) set_errors_of_forces_in_plane(*own.membrane, *other.membrane, share);
 }
@@ -254,10 +259,10 @@ std::vector<ProbeValue> sums_along(const SampledLine& line, const std::vector<Pr
 
 void set_errors(Summary& summary, const OtherResults& other, double size) {
   Summary there = other.summary;
-  set_errors_alike(alike(summary, strain_energy(summary)), alike(there, strain_energy(there)), other.share, size);
+  set_errors_alike(alike(summary, strain_energy(summary)), alike(there, strain_energy(there)), other, size);
   for (std::size_t i = 0; i < std::min(summary.load_cases.size(), there.load_cases.size()); ++i) {
     auto &own = summary.load_cases[i], &that = there.load_cases[i];
-    set_errors_alike(alike(own, own.strain_energy), alike(that, that.strain_energy), other.share, size);
+    set_errors_alike(alike(own, own.strain_energy), alike(that, that.strain_energy), other, size);
   }
   double relative = 0;
   for (std::size_t i = 0; i < std::min(summary.frequencies.size(), there.frequencies.size()); ++i) {
