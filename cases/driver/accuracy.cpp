@@ -282,7 +282,7 @@ std::optional<post::OtherResults> other_results(const CaseFile& file, const RunO
     return result;
   };
   if (file.content.discretization.formulation->offers(plate::Feature::horizon))
-    if (auto found = results_of([&] { return in_other_formulation(coarser(2)); }, options))
+    if (auto found = results_of([&] { return in_other_formulation(coarser(1.5)); }, options))
       return post::OtherResults{std::move(*found), of_bonds, 3, 1};
   for (const double ratio : {3.0, 2.0, 1.5})
     if (auto found = results_of([&] { return coarser(ratio); }, options))

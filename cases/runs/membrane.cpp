@@ -90,13 +90,15 @@ std::vector<std::string> warnings_about_opposed_pins(const plate::Formulation& m
   for (auto one = holders.begin(); one != holders.end(); ++one)
     for (auto other = holders.begin(); other != one; ++other) {
       const auto pulls = force(*one), against = force(*other);
-      if (!pulls || !against || (*one->position - *other->position).norm() > near * (high - low).norm()) continue;
+      if (!pulls || !against) continue;
+      const geometry::Point apart = *one->position - *other->position;
+      if (apart.norm() > near * (high - low).norm()) continue;
       const double most = std::max(pulls->norm(), against->norm());
       if (most < least || (*pulls + *against).norm() > alike * most) continue;
       return {
           fmt::format("{} and {} pull at each other with {:.2g}: they hold the strain between them; set in_plane = "
-                      "\"x\" or \"y\" at one",
-                      other->name, one->name, most)};
+                      "\"{}\" at one",
+                      other->name, one->name, most, std::abs(apart.x()) > std::abs(apart.y()) ? "y" : "x")};
     }
   return {};
 }

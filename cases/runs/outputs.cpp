@@ -146,12 +146,15 @@ bool Outputs::takes_values() const {
 }
 
 void Outputs::take_values(const plate::Formulation& plate, const post::Frame& frame) {
-  values_.push_back(post::values_at(probes_, frame, plate.boundary()));
+  values_.push_back(post::values_at(probes_, frame, plate));
   auto& sums = sums_.emplace_back();
   for (const auto& line : lines_) {
-    const auto values = post::values_at(line.places, frame, plate.boundary());
+    const auto values = post::values_at(line.places, frame, plate);
     post::add_rows(line_rows_, frame.time, line, values);
-    std::ranges::move(post::sums_along(line, values), std::back_inserter(sums));
+    auto own = post::sums_along(line, values);
+    // membrane forces along the deflected plate carry across it too
+    if (content().analysis.nonlinear) std::erase_if(own, [](const auto& one) { return one.quantity == "shear"; });
+    std::ranges::move(own, std::back_inserter(sums));
   }
 }
 
@@ -161,7 +164,7 @@ void Outputs::set_errors() {
   for (std::size_t i = 0; i < std::min(values_.size(), summary_.load_cases.size()); ++i)
     summary_.load_cases[i].probes = values_[i], summary_.load_cases[i].lines = sums_[i];
   const auto [low, high] = geometry::bounding_box(content().outline);
-  if (other_) return post::set_errors(summary_, *other_, (high - low).norm());
+  if (other_) return post::set_errors(summary_, *other_, {(high - low).norm(), content().section.thickness});
   for (auto* some : {&summary_.extremes, &summary_.peaks})
     for (auto& one : *some) one.error.reset();
   for (auto& one : summary_.load_cases)

@@ -138,13 +138,6 @@ Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) 
   const auto places = singular(*plate_);
   Peak peak{"von_mises", {}, 0, time, {}, {}};
   if (!places.empty()) peak.outside = away;
-  const auto grows = [&](std::size_t k) {  // towards a neighbour: the flank of what has no limit
-    for (const auto& bond : plate_->families()[k])
-      if (bond.neighbour < cloud.plate_points &&
-          resultants.von_mises[bond.neighbour] > resultants.von_mises[Eigen::Index(k)])
-        return true;
-    return false;
-  };
   const auto change = [&](std::size_t k) {  // half of that to the next points: what a place between them may have more
     double most = 0;
     for (const auto& bond : plate_->families()[k])
@@ -159,7 +152,6 @@ Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) 
     if (stress <= peak.value && peak.position) continue;
     const auto& x = cloud.positions[k];
     if (std::ranges::any_of(places, [&](const Point& place) { return (x - place).norm() < away; })) continue;
-    if (!places.empty() && grows(k)) continue;
     peak.value = stress, peak.position = x, peak.error = change(k);
   }
   return peak;

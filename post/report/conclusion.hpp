@@ -32,8 +32,7 @@ constexpr double small_deflection = 0.5;
 /// Largest deflection and von Mises stress (of both faces, which have the same) of a run on one plate, and their
 /// places. Stress is looked at in frames and where the strain energy of all rows is largest: at every row it would cost
 /// more than the row. It grows without limit towards tips, sharp corners, pins and point forces: what is nearer to one
-/// than half the thickness, where a plate's theory has no stresses, or than four spacings, does not count, nor what
-/// grows towards a neighbour, as it does on the way there.
+/// than half the thickness, where a plate's theory has no stresses, or than four spacings, does not count.
 class Extremes {
 public:
   /// `plate` must outlive this.

@@ -22,9 +22,10 @@ public:
   explicit Differences(double share) : share_(share) {}
 
   /// Takes a value of a kind, that of the other points, and where its error goes.
-  void add(const std::string& kind, double value, double other, std::optional<double>& error) {
+  /// `least`: size of such values in the plate, beside which those at the probes may be rounding.
+  void add(const std::string& kind, double value, double other, std::optional<double>& error, double least = 0) {
     auto& size = sizes_[kind];
-    size = std::max(size, std::abs(value));
+    size = std::max({size, std::abs(value), least});
     all_.push_back({kind, share_ * std::abs(value - other), &error});
   }
 
@@ -99,22 +100,43 @@ std::pair<const char*, const char*> group_and_size(const std::string& quantity) 
   return all.at(quantity);
 }
 
-void set_errors_of_displacements(const Alike& own, const Alike& other, const OtherResults& by) {
+/// Sizes of rotations, moments, forces and stresses in a plate, by kinds: a tenth of what its largest deflection and
+/// stress give. What is smaller at the probes may be rounding, as the rotation in the middle of a symmetric plate.
+std::map<std::string, double> least_sizes(const Alike& own, const PlateSizes& sizes) {
+  constexpr double share = 0.1;
+  const auto [diameter, h] = sizes;
+  std::map<std::string, double> result;
+  if (const auto* w = peak_of(own.extremes, "w")) result["theta"] = share * std::abs(w->value) / diameter;
+  if (const auto* stress = peak_of(own.extremes, "von_mises")) {
+    const double moment = share * stress->value * h * h / 6;
+    result["M"] = moment, result["Q"] = moment / diameter;
+    result["N"] = share * stress->value * h, result["von_mises"] = share * stress->value;
+  }
+  return result;
+}
+
+void set_errors_of_displacements(const Alike& own, const Alike& other, const OtherResults& by,
+                                 const PlateSizes& sizes) {
   std::map<std::string, Differences> groups;
   const auto group = [&](const char* name) -> Differences& { return groups.try_emplace(name, by.share).first->second; };
+  const auto least = least_sizes(own, sizes);
   for (auto& one : own.extremes)
     if (const auto* there = peak_of(other.extremes, one.quantity)) {
       const double size = std::abs(one.value), that = std::abs(there->value);
       if (one.quantity == "w")
         group("bending").add("w", size, that, one.error);
       else
-        one.error = std::max(one.error.value_or(0), by.of_largest_stress * by.share * std::abs(size - that));
+        // where other places are left out, the change to the next points tells instead
+        one.error = one.outside == there->outside
+                        ? std::max(one.error.value_or(0), by.of_largest_stress * by.share * std::abs(size - that))
+                        : std::min(2 * by.of_largest_stress * one.error.value_or(0), size);
     }
   if (own.strain_energy > 0) group("bending").add("energy", own.strain_energy, other.strain_energy, own.energy_error);
   const auto compare = [&](std::vector<ProbeValue>& values, const std::vector<ProbeValue>& there) {
     for (std::size_t i = 0; i < std::min(values.size(), there.size()); ++i) {
       const auto& [where, kind] = group_and_size(values[i].quantity);
-      group(where).add(kind, values[i].value, there[i].value, values[i].error);
+      const auto size = least.find(kind);
+      group(where).add(kind, values[i].value, there[i].value, values[i].error, size == least.end() ? 0 : size->second);
     }
   };
   compare(own.probes, other.probes), compare(own.lines, other.lines);
@@ -156,17 +178,20 @@ void set_errors_of_forces_in_plane(MembraneSummary& own, const MembraneSummary& 
   for (std::size_t i = 0; i < errors.size(); ++i) own.reactions[i].error = std::max(*errors[i][0], *errors[i][1]);
 }
 
-void set_errors_alike(const Alike& own, const Alike& other, const OtherResults& by, double size) {
-  set_errors_of_displacements(own, other, by);
+void set_errors_alike(const Alike& own, const Alike& other, const OtherResults& by, const PlateSizes& sizes) {
+  set_errors_of_displacements(own, other, by, sizes);
   const double share = by.share;
-  if (own.reactions && other.reactions) set_errors_of_reactions(*own.reactions, *other.reactions, share, size);
+  if (own.reactions && other.reactions)
+    set_errors_of_reactions(*own.reactions, *other.reactions, share, sizes.diameter);
   if (own.membrane && other.membrane) set_errors_of_forces_in_plane(*own.membrane, *other.membrane, share);
 }
 
 }  // namespace
 
 std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame& frame,
-                                  const plate::Boundary& boundary) {
+                                  const plate::Formulation& plate) {
+  const auto& boundary = plate.boundary();
+  const bool forces_known = !plate.distributed() || !plate.offers(plate::Feature::horizon);
   static const std::array<const char*, 5> forces{"Mxx", "Myy", "Mxy", "Qx", "Qy"};
   std::vector<ProbeValue> result;
   for (const auto& [name, x, shares] : probes) {
@@ -181,6 +206,7 @@ std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame&
     add("w", u[0]), add("theta_x", u[1]), add("theta_y", u[2]);
     if (frame.in_plane)
       add("u", mean(frame.in_plane->displacement, 0)), add("v", mean(frame.in_plane->displacement, 1));
+    if (!forces_known) continue;
     for (Eigen::Index i = 0; i < 3; ++i) add(forces[std::size_t(i)], mean(frame.resultants.moments, i));
     for (Eigen::Index i = 0; i < 2; ++i) add(forces[std::size_t(3 + i)], mean(frame.resultants.shear, i));
     if (frame.in_plane)
@@ -191,20 +217,68 @@ std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame&
   return result;
 }
 
+namespace {
+
+/// Shares of the way from one point to another at which it meets an edge of a ring.
+void add_meetings(const std::vector<geometry::Point>& ring, const geometry::Point& from, const geometry::Point& way,
+                  std::vector<double>& meetings) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const geometry::Point a = ring[i], edge = ring[(i + 1) % ring.size()] - a;
+    const double turn = way.x() * edge.y() - way.y() * edge.x();
+    if (turn == 0) continue;
+    const geometry::Point apart = a - from;
+    const double along_edge = (apart.x() * way.y() - apart.y() * way.x()) / turn;
+    if (along_edge >= 0 && along_edge <= 1) meetings.push_back((apart.x() * edge.y() - apart.y() * edge.x()) / turn);
+  }
+}
+
+/// Likewise of a circle.
+void add_meetings(const geometry::Circle& circle, const geometry::Point& from, const geometry::Point& way,
+                  std::vector<double>& meetings) {
+  const geometry::Point apart = from - circle.centre;
+  const double half = apart.dot(way) / way.squaredNorm(),
+               under = half * half - (apart.squaredNorm() - circle.radius * circle.radius) / way.squaredNorm();
+  if (under > 0) meetings.insert(meetings.end(), {-half - std::sqrt(under), -half + std::sqrt(under)});
+}
+
+/// Shares of a way between which it runs within the plate.
+std::vector<std::array<double, 2>> pieces_within(const geometry::Outline& outline, const geometry::Point& from,
+                                                 const geometry::Point& way) {
+  std::vector<double> meetings{0, 1};
+  add_meetings(outline.outer.vertices, from, way, meetings);
+  for (const auto& hole : outline.holes)
+    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
+      add_meetings(*circle, from, way, meetings);
+    else
+      add_meetings(std::get<geometry::Polygon>(hole).vertices, from, way, meetings);
+  std::erase_if(meetings, [](double t) { return t < 0 || t > 1; });
+  std::ranges::sort(meetings);
+  std::vector<std::array<double, 2>> result;
+  constexpr double nothing = 1e-9;
+  for (std::size_t i = 1; i < meetings.size(); ++i) {
+    const double a = meetings[i - 1], b = meetings[i];
+    if (b - a > nothing && plate::on_plate(outline, from + (a + b) / 2 * way)) result.push_back({a, b});
+  }
+  return result;
+}
+
+}  // namespace
+
 SampledLine sampled_line(const std::string& name, const geometry::Point& from, const geometry::Point& to,
                          const plate::Formulation& plate) {
-  constexpr int pieces = 100;
+  constexpr double pieces = 100;
   SampledLine result{name, from, to, {}, {}, {}};
-  const auto& problem = plate.problem();
-  bool before = false;
-  for (int n = 0; n <= pieces; ++n) {
-    const geometry::Point x = from + (to - from) * n / pieces;
-    const bool here = plate::on_plate(problem.outline, x);
-    if (here) {
+  const geometry::Point way = to - from;
+  double last = -1;
+  for (const auto& [a, b] : pieces_within(plate.problem().outline, from, way)) {
+    const int count = std::max(2, int(std::round(pieces * (b - a))));
+    for (int n = a == last ? 1 : 0; n <= count; ++n) {
+      const double t = a + (b - a) * n / count;
+      const geometry::Point x = from + t * way;
       result.places.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::PlaceShare>{}});
-      result.along.push_back((x - from).norm()), result.joined.push_back(before);
+      result.along.push_back(t * way.norm()), result.joined.push_back(n > 0);
     }
-    before = here;
+    last = b;
   }
   return result;
 }
@@ -226,6 +300,7 @@ void add_rows(Table& table, double time, const SampledLine& line, const std::vec
 std::vector<ProbeValue> sums_along(const SampledLine& line, const std::vector<ProbeValue>& values) {
   const auto count = line.places.size();
   if (count == 0) return {};
+  if (std::ranges::find(values, "Mxx", &ProbeValue::quantity) == values.end()) return {};
   const auto each = values.size() / count;
   const geometry::Point way = (line.to - line.from).normalized(), n(way.y(), -way.x()), s = way;
   const auto at = [&](std::size_t i, const char* quantity) {
@@ -257,12 +332,12 @@ std::vector<ProbeValue> sums_along(const SampledLine& line, const std::vector<Pr
   return result;
 }
 
-void set_errors(Summary& summary, const OtherResults& other, double size) {
+void set_errors(Summary& summary, const OtherResults& other, const PlateSizes& sizes) {
   Summary there = other.summary;
-  set_errors_alike(alike(summary, strain_energy(summary)), alike(there, strain_energy(there)), other, size);
+  set_errors_alike(alike(summary, strain_energy(summary)), alike(there, strain_energy(there)), other, sizes);
   for (std::size_t i = 0; i < std::min(summary.load_cases.size(), there.load_cases.size()); ++i) {
     auto &own = summary.load_cases[i], &that = there.load_cases[i];
-    set_errors_alike(alike(own, own.strain_energy), alike(that, that.strain_energy), other, size);
+    set_errors_alike(alike(own, own.strain_energy), alike(that, that.strain_energy), other, sizes);
   }
   double relative = 0;
   for (std::size_t i = 0; i < std::min(summary.frequencies.size(), there.frequencies.size()); ++i) {

@@ -5,7 +5,6 @@
 #include "post/files/summary.hpp"
 
 namespace plate {
-struct Boundary;
 class Formulation;
 }  // namespace plate
 
@@ -13,12 +12,13 @@ namespace post {
 
 struct Frame;
 
-/// Deflection, rotations, moments, forces and von Mises stress of a frame at probes, with u, v and membrane forces
-/// where loads act in the plane. `boundary`: of the points of the frame.
+/// Deflection, rotations, moments, forces and von Mises stress of a frame of the plate at probes, with u, v and
+/// membrane forces where loads act in the plane. Of bonds that several processes share displacements alone: what ghosts
+/// carry is not known.
 std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame& frame,
-                                  const plate::Boundary& boundary);
+                                  const plate::Formulation& plate);
 
-/// Places along a straight line through a plate, equally spaced; of those in holes and beside the plate none.
+/// Places along a straight line, equally spaced on every piece of it that lies within the plate.
 struct SampledLine {
   std::string name;
   geometry::Point from, to;
@@ -27,6 +27,7 @@ struct SampledLine {
   std::vector<bool> joined;   // to the place before, with no gap
 };
 
+/// @throws plate::Refused  no points about a place
 SampledLine sampled_line(const std::string& name, const geometry::Point& from, const geometry::Point& to,
                          const plate::Formulation& plate);
 
@@ -37,10 +38,15 @@ void add_rows(Table& table, double time, const SampledLine& line, const std::vec
 /// tangential_force of N_nn and N_ns. n is to the right of the way along the line, s = n turned by +90 degrees.
 std::vector<ProbeValue> sums_along(const SampledLine& line, const std::vector<ProbeValue>& values);
 
+/// Diameter and thickness of a plate [length].
+struct PlateSizes {
+  double diameter, thickness;
+};
+
 /// Sets the estimated errors of the results of a plate at rest, or of its frequencies: the share of the difference from
 /// those of other points. Two values may agree by chance, so that deflections, rotations and strain energy have at
 /// least the largest relative difference among them, and so have reactions, forces in the plane, moments; a frequency
-/// has at least that of the modes below. `size` of the plate [length], between forces and moments.
-void set_errors(Summary& summary, const OtherResults& other, double size);
+/// has at least that of the modes below.
+void set_errors(Summary& summary, const OtherResults& other, const PlateSizes& sizes);
 
 }  // namespace post

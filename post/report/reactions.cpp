@@ -58,6 +58,9 @@ bool bears(const plate::Side& side, const plate::Dof& dof) {
 /// True where a holder bears a rotation of a point of the plate: by a side at the point, or as no edge.
 bool bears(const plate::Boundary& boundary, std::uint32_t holder, const plate::Dof& dof) {
   constexpr double near = 1e-6;  // spacings
+  if (const auto kind = boundary.holders[holder].kind;
+      kind == plate::SupportKind::u_alone || kind == plate::SupportKind::v_alone)
+    return dof.component == (kind == plate::SupportKind::u_alone ? 2 : 1);
   bool beside = false;
   for (const auto& side : boundary.sides) {
     if (side.name != boundary.holders[holder].name || std::abs(side.inside(boundary.lattice[dof.point])) > near)

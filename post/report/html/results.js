@@ -147,7 +147,7 @@ function lines_section() {
   const curve = (line, names, title, quantity) => {
     const own = rows.line.map((_, i) => i).filter(i => rows.line[i] === line && rows.time[i] === rows.time[0]);
     const felt = names.filter(name => largest(own.map(i => rows[name]?.[i])) > 0);
-    return felt.length === 0 ? null : plot({ title: `${title} along ${line}`, x: { label: "s", quantity: "length" }, y: { label: title, quantity },
+    return felt.length === 0 ? null : plot({ title: `${title} along ${line}${data.summary.load_cases ? `, ${data.summary.load_cases[rows.time[0] - 1].name}` : ""}`, x: { label: "s", quantity: "length" }, y: { label: title, quantity },
       lines: felt.map(name => ({ label: name, x: own.map(i => rows.s[i]), y: own.map(i => rows[name][i]) })) });
   };
   return section("Along lines", sums, plots(lines.flatMap(line => [curve(line, ["w"], "Deflection", "w"), curve(line, ["Mxx", "Myy", "Mxy"], "Moments", "Mxx"), curve(line, ["Nxx", "Nyy", "Nxy"], "Membrane forces", "Nxx")])),

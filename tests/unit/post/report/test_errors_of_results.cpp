@@ -22,7 +22,7 @@ Summary rests(double w, double theta, double force) {
 
 TEST_CASE("errors of results: a share of the difference, of a group at least the relative one of its worst") {
   auto summary = rests(1, 0.2, 10);
-  post::set_errors(summary, {rests(0.9, 0.2, 10.5), 0.5}, 2);
+  post::set_errors(summary, {rests(0.9, 0.2, 10.5), 0.5}, {2, 0.01});
   CHECK(summary.extremes[0].error.value() == Approx(0.05));  // of |w|
   CHECK(summary.extremes[1].error.value() == Approx(10));  // the largest stress: twice that
   CHECK(summary.energy_error.value() == Approx(0.05));
@@ -38,7 +38,7 @@ TEST_CASE("errors of results: a frequency has at least the relative error of the
   Summary summary, other;
   summary.frequencies = {{1, 10, 0, 0}, {2, 20, 0, 0}, {3, 30, 0, 0}};
   other.frequencies = {{1, 9, 0, 0}, {2, 20, 0, 0}};
-  post::set_errors(summary, {other, 1}, 1);
+  post::set_errors(summary, {other, 1}, {1, 0.01});
   CHECK(summary.frequencies[0].error.value() == Approx(1));
   CHECK(summary.frequencies[1].error.value() == Approx(2));
   CHECK(!summary.frequencies[2].error);
@@ -48,7 +48,7 @@ TEST_CASE("errors of results: what the other run does not have stays without an 
   auto summary = rests(1, 0.2, 10);
   auto other = rests(1, 0.2, 10);
   other.reactions->supports[1].name = "top", other.extremes.pop_back(), other.probes.clear();
-  post::set_errors(summary, {other, 1}, 2);
+  post::set_errors(summary, {other, 1}, {2, 0.01});
   CHECK(summary.reactions->errors.empty());
   CHECK(!summary.extremes[1].error);
   CHECK(!summary.probes[0].error);
