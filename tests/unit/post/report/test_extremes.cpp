@@ -45,7 +45,7 @@ TEST_CASE("extremes: the place of the largest deflection, and the stress of the 
     CHECK(found[1].position->x() < -0.9);     // beside the clamp
     CHECK(*found[1].outside == Approx(0.2));  // of the corners of the clamp, four spacings
     CHECK(std::abs(found[1].position->y()) < 0.8);
-    CHECK(found[1].value == Approx(6 / 0.01 * 2).epsilon(0.1));  // p L^2 / 2 of the cantilever's root
+    CHECK(found[1].value == Approx(6 / 0.01 * 2).epsilon(0.12));  // p L^2 / 2 of the root, bonds half a cell away
   }
 }
 
