@@ -214,12 +214,13 @@ void check_places(const Problem& problem, std::size_t i, std::vector<Refusal>& f
   if (support.kind == SupportKind::in_plane && support.held_in_plane() == InPlane::free)
     found.push_back({Subject::support_in_plane, i, "\"free\" holds nothing: remove the support, or hold something"});
   const bool by_edge = support.in_plane == InPlane::normal || support.in_plane == InPlane::tangential;
+  const bool by_axis = support.in_plane == InPlane::x || support.in_plane == InPlane::y;
   if (support.kind == SupportKind::hub)
     check_hub(problem, i, found);
   else if (by_edge && support.edges.empty())
     found.push_back(
         {Subject::support_in_plane, i, "edges alone have a normal: choose \"x\", \"y\", \"fixed\" or \"free\""});
-  else if (support.holds_one_way() && !by_edge && !support.edges.empty())
+  else if (by_axis && !support.edges.empty())
     found.push_back({Subject::support_in_plane, i,
                      "edges are held along themselves: choose \"normal\", \"tangential\", \"fixed\" or \"free\""});
   check_along(support.along, {Subject::support_line, i, ""}, problem.outline, found);

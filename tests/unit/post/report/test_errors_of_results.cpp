@@ -24,7 +24,7 @@ TEST_CASE("errors of results: a share of the difference, of a group at least the
   auto summary = rests(1, 0.2, 10);
   post::set_errors(summary, {rests(0.9, 0.2, 10.5), 0.5}, {2, 0.01});
   CHECK(summary.extremes[0].error.value() == Approx(0.05));  // of |w|
-  CHECK(summary.extremes[1].error.value() == Approx(10));  // the largest stress: twice that
+  CHECK(summary.extremes[1].error.value() == Approx(10));    // the largest stress: twice that
   CHECK(summary.energy_error.value() == Approx(0.05));
   CHECK(summary.probes[0].error.value() == Approx(0.05));  // its own difference is half of that
   CHECK(summary.probes[1].error.value() == Approx(0.01));  // they agree by chance: 5 %, as the others
