@@ -1,6 +1,7 @@
 // Errors of deflections, stresses, reactions and frequencies that a run states, against runs with finer points.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
@@ -124,19 +125,23 @@ TEST_CASE("lines: what is carried across a cut is in balance with the loads beyo
                                "[discretization]\nspacing = 0.025\nformulation = \"" +
                                formulation +
                                "\"\n[analysis]\nkind = \"static\"\n[output]\nfields = []\n"
-                               "lines = { cut = [[0.6, 0.0], [0.6, 0.8]], back = [[1.1, 0.8], [1.1, 0.0]] }\n";
+                               "lines = { cut = [[0.6, 0.0], [0.6, 0.8]], back = [[1.1, 0.8], [1.1, 0.0]], oblique = "
+                               "[[0.9, 0.0], [1.3, 0.8]] }\n";
       post::ResultsInMemory tables;
       const auto found = cases::run(cases::read_case_text(text, "plate", {}), {{}, true, &tables});
-      REQUIRE(found.lines.size() == 10);
+      REQUIRE(found.lines.size() == 15);
       for (const auto& one : found.lines) {
-        const bool cut = one.probe == "cut";
-        const double force = 2 * 0.8, arm = cut ? 1 : 0.5,
-                     sign = cut ? 1 : -1;  // n is +x of the cut, -x of the way back
+        const bool cut = one.probe == "cut", oblique = one.probe == "oblique";
+        const double force = 2 * 0.8, arm = cut ? 1 : 0.5;  // from the loaded edge to the middle of the line
+        const double sign = one.probe == "back" ? -1 : 1;   // n is -x on the way back
+        const double across = oblique ? 2 / std::sqrt(5.0) : 1, along = oblique ? 1 / std::sqrt(5.0) : 0;
         CAPTURE(formulation, hole, one.probe, one.quantity, one.value);
-        const double expected = one.quantity == "moment"         ? -force * arm
-                                : one.quantity == "shear"        ? sign * force
-                                : one.quantity == "normal_force" ? 3 * 0.8
-                                                                 : 0;
+        const double expected = one.quantity == "moment"             ? -force * arm * across
+                                : one.quantity == "shear"            ? sign * force
+                                : one.quantity == "normal_force"     ? 3 * 0.8 * across
+                                : one.quantity == "tangential_force" ? 3 * 0.8 * along
+                                : one.quantity == "twist"            ? -force * arm * along
+                                                                     : 0;
         CHECK(std::abs(one.value - expected) <
               (formulation == "ordinary" ? 0.04 : 0.03) *
                   std::max(std::abs(expected), 0.8));  // measured: 0.037 of bonds at a hole
@@ -145,6 +150,6 @@ TEST_CASE("lines: what is carried across a cut is in balance with the loads beyo
       const auto& lines =
           std::ranges::find(tables.tables, "lines", &std::pair<std::string, post::Table>::first)->second;
       CHECK(lines.columns.size() == 19);
-      CHECK(lines.rows.size() == (hole ? 32 + 32 + 101 : 202));
+      CHECK(lines.rows.size() == (hole ? 32 + 32 + 202 : 303));
     }
 }

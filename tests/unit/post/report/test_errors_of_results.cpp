@@ -54,3 +54,10 @@ TEST_CASE("errors of results: what the other run does not have stays without an 
   CHECK(!summary.probes[0].error);
   CHECK(summary.extremes[0].error == 0);
 }
+
+TEST_CASE("errors of results: rounding at a probe that does not turn is no error of the plate") {
+  auto summary = rests(1, 1e-17, 10);
+  post::set_errors(summary, {rests(0.999, -3e-16, 10), 1}, {2, 0.01});
+  CHECK(summary.extremes[0].error.value() == Approx(0.001));
+  CHECK(summary.probes[1].error.value() < 1e-4);
+}

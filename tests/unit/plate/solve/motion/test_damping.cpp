@@ -30,7 +30,7 @@ struct Single {
   }
 };
 
-/// The same, which begins with its velocity alone and stiffness-proportional damping that relaxes.
+/// Options of its motion from a velocity alone, with stiffness-proportional damping that relaxes.
 DynamicOptions relaxing(const Single& s, double beta, double relaxation, double time_step, std::size_t steps) {
   DynamicOptions options{time_step, steps, std::max<std::size_t>(1, steps / 60)};
   options.mass_damping = 0.1, options.stiffness_damping = beta, options.relaxation = relaxation;
