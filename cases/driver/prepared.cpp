@@ -18,7 +18,7 @@
 #include "plate/solve/motion/time_grid.hpp"
 #include "plate/solve/validation.hpp"
 #include "post/factors/plate_factors.hpp"
-#include "post/report/errors_of_results.hpp"
+#include "post/report/probes_and_lines.hpp"
 
 namespace cases {
 namespace {

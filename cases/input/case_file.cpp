@@ -141,6 +141,8 @@ std::string key_of(const plate::Refusal& refusal, const plate::Problem& problem)
                                                           {spring_edges, "spring[{}].edges"},
                                                           {spring_line, "spring[{}].along"},
                                                           {spring_position, "spring[{}].position"},
+                                                          {spring_cracks, "spring[{}].cracks"},
+                                                          {spring_depth, "spring[{}].depth"},
                                                           {stiffener, "stiffener[{}]"},
                                                           {stiffener_edges, "stiffener[{}].edges"},
                                                           {stiffener_line, "stiffener[{}].along"},

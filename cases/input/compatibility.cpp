@@ -40,9 +40,12 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {mean_temperature, "`mean` of a load of kind `\"temperature\"`, or one of plies that are not symmetric"},
     {load_cases, "`[[case]]`"},
     {combinations, "`[[combination]]`"},
+    {springs_on_cracks, "`spring.cracks`"},
+    {part_through, "`spring.depth`"},
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
-    {coupled_section, "plies that are not symmetric or have `alpha1` or `alpha2`, or a stiffener with `eccentricity`"},
+    {coupled_section,
+     "plies that are not symmetric or have `alpha1` or `alpha2`, a stiffener with `eccentricity`, or `spring.depth`"},
     {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
     {factors_to_accuracy, "`srif.accuracy`"},
@@ -91,6 +94,7 @@ constexpr auto features = std::to_array<std::pair<plate::Feature, std::string_vi
      "`analysis.nonlinear`, `analysis.kind = \"buckling\"`, motion and frequencies under loads in the plane"},
     {plate::Feature::touching_faces, "`cracks.contact`"},
     {plate::Feature::hubs_in_holes, "supports of kind `\"hub\"` in holes"},
+    {plate::Feature::part_through, "`spring.depth`"},
 });
 
 std::string by_one_process(const char* what) {
@@ -103,7 +107,8 @@ constexpr const char* equilibria =
 constexpr const char* settlements = "load[].kind";
 constexpr const char* of_linear = "is measured for linear plates: remove it, and state discretization.spacing";
 constexpr const char* of_uncoupled =
-    "compares factors of plates whose bending and stretching are not coupled: remove it, or stiffener[].eccentricity";
+    "compares factors of plates whose bending and stretching are not coupled: remove it, stiffener[].eccentricity, or "
+    "spring[].depth";
 constexpr const char* layer_kinds = "support[].kind";
 constexpr const char* hub_springs = "support[].k_w";
 constexpr const char* hub_inertia =
@@ -257,6 +262,13 @@ const std::vector<Exclusion> excluded_pairs{
     {touching_in_motion, second_formulation, "srif.second_formulation",
      "compares states at the same time, and faces that rattle meet at other times in each formulation: remove it, or "
      "cracks.contact"},
+    {springs_on_cracks, growth, "growth",
+     "springs between the faces of cracks are of cracks that do not grow: remove it, or spring[].cracks"},
+    {springs_on_cracks, processes, "spring[].cracks", by_one_process("springs between faces cannot be made")},
+    {part_through, large_deflections, "spring[].depth",
+     "cracks through a part of the thickness are carried in linear theory: remove it, or analysis.nonlinear"},
+    {part_through, varied_section, "spring[].depth",
+     "the springs of such cracks are known for one isotropic material: remove it, or what makes the section vary"},
     {touching_faces, processes, "cracks.contact", by_one_process("contact of faces cannot be found")},
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
@@ -365,6 +377,8 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
       mean_temperature);
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
   add(!content.combinations.empty(), combinations);
+  add(content.ties_faces(), springs_on_cracks);
+  add(content.part_through(), part_through);
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);
   add(content.coupled(), coupled_section);

@@ -38,6 +38,8 @@ enum class Part {
   mean_temperature,
   load_cases,
   combinations,
+  springs_on_cracks,
+  part_through,
   varied_section,
   directed_section,
   coupled_section,

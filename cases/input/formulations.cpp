@@ -101,6 +101,10 @@ void add_section(const plate::Problem& problem, std::vector<Asked>& found) {
     if (asked) found.push_back({words, key, Feature::sections, true, remedy});
   };
   add_loads_in_plane(problem, found);
+  for (std::size_t i = 0; i < problem.springs.size(); ++i)
+    if (problem.springs[i].depth.given())
+      found.push_back({"cracks through a part of the thickness", fmt::format("spring[{}].depth", i),
+                       Feature::part_through, true, remedy});
   if (!problem.stiffeners.empty()) found.push_back({"stiffeners", "stiffener", Feature::stiffeners, true, remedy});
   add(section.orthotropic.has_value(), "an orthotropic section", "section.orthotropic");
   add(!section.plies.empty(), "a section of plies", "section.plies");

@@ -94,6 +94,44 @@ Fields<plate::Foundation> foundation_fields() {
   };
 }
 
+namespace {
+
+/// Numbers of cracks, ascending.
+Field<plate::Spring> spring_cracks() {
+  return value<plate::Spring>(
+      {"cracks", "-", "a list of numbers of cracks, from 0", "", "the cracks whose faces springs tie"},
+      [](const Value& given, plate::Spring& spring) {
+        const auto elements = given.elements("a list of numbers of cracks, from 0");
+        for (const auto& element : elements) {
+          const auto number = element.number();
+          if (!number) return;
+          if (*number < 0 || *number != std::floor(*number)) return element.refuse("a number of a crack, from 0");
+          spring.cracks.push_back(std::size_t(*number));
+        }
+        if (elements.empty()) given.refuse("a list of at least one number of a crack");
+      },
+      [](const plate::Spring& s) { return s.cracks.empty() ? "" : fmt::format("[{}]", fmt::join(s.cracks, ", ")); });
+}
+
+Field<plate::Spring> spring_depth() {
+  return value<plate::Spring>(
+      {"depth", "length", "a number or an expression in x, y and pi", "",
+       "cracks, instead of stiffnesses: they go through this part of the thickness"},
+      [](const Value& given, plate::Spring& spring) {
+        if (given.is_text()) {
+          if (const auto formula = formula_of(given)) spring.depth = *formula;
+        } else if (const auto depth = given.number()) {
+          if (*depth > 0)
+            spring.depth = plate::Formula(number_text(*depth));
+          else
+            given.refuse("a number > 0 or an expression in x, y and pi");
+        }
+      },
+      [](const plate::Spring& s) { return s.depth.given() ? quoted(s.depth.text()) : ""; });
+}
+
+}  // namespace
+
 Fields<plate::Spring> spring_fields() {
   using S = plate::Spring;
   const auto position = value<S>(
@@ -101,15 +139,22 @@ Fields<plate::Spring> spring_fields() {
       [](const Value& given, S& spring) { spring.position = given.point(); },
       [](const S& s) { return s.position ? text_of(*s.position) : ""; });
   return {
-      edges<S>("the edges that springs hold: these, along or position"),
+      edges<S>("the edges that springs hold: these, along, position or cracks"),
       points<S>("along", &S::along, 2, "a line in the plate that springs hold"),
       position,
-      number<S>("deflection", "force/length^2, at a position force/length", &S::deflection, {0}, "against w"),
+      spring_cracks(),
+      number<S>("deflection", "force/length^2, at a position force/length", &S::deflection, {0},
+                "against w, on cracks against what parts the faces along w"),
       number<S>("rotation_normal", "force", &S::rotation_normal, {0},
-                "edges, along: against the rotation along the normal, with which the plate bends"),
+                "edges, along, cracks: against the rotation along the normal, with which the plate bends"),
       number<S>("rotation_tangential", "force", &S::rotation_tangential, {0},
-                "edges, along: against the rotation along the edge or line, with which the plate twists"),
+                "edges, along, cracks: against the rotation along the edge or line, with which the plate twists"),
       number<S>("rotation", "force length", &S::rotation, {0}, "position: against both rotations"),
+      number<S>("opening", "force/length^2", &S::opening, {0}, "cracks: in the plane, against opening"),
+      number<S>("sliding", "force/length^2", &S::sliding, {0}, "cracks: in the plane, against sliding"),
+      spring_depth(),
+      choice<S, bool>("from", &S::from_below, {{{"above", false}, {"below", true}}},
+                      "depth: the face that the crack begins at, z = h/2 or z = -h/2"),
   };
 }
 

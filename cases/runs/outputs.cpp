@@ -70,6 +70,7 @@ void Outputs::warn(std::vector<std::string> warnings) {
 
 void Outputs::place_probes(const plate::Formulation& plate) {
   probes_ = probes_of(content().output.probes, plate);
+  springs_ = post::SpringsOnCracks(plate);
   lines_.clear();
   for (const auto& [name, ends] : content().output.lines)
     lines_.push_back(post::sampled_line(name, ends[0], ends[1], plate));
@@ -141,7 +142,7 @@ void name_settings_by_keys(post::Summary& summary) {
 }  // namespace
 
 bool Outputs::takes_values() const {
-  const bool wanted = !probes_.empty() || !lines_.empty();
+  const bool wanted = !probes_.empty() || !lines_.empty() || content().ties_faces();
   return wanted && content().analysis.kind == Analysis::Kind::static_ && !content().growth;
 }
 
@@ -156,6 +157,7 @@ void Outputs::take_values(const plate::Formulation& plate, const post::Frame& fr
     if (content().analysis.nonlinear) std::erase_if(own, [](const auto& one) { return one.quantity == "shear"; });
     std::ranges::move(own, std::back_inserter(sums));
   }
+  if (content().ties_faces()) std::ranges::move(springs_.take(frame, spring_rows_), std::back_inserter(sums));
 }
 
 /// Gives the summary the values at probes, and errors to all.
@@ -174,6 +176,7 @@ void Outputs::set_errors() {
 post::Summary Outputs::finish() {
   set_errors();
   if (!line_rows_.rows.empty()) recorder_.table("lines", std::move(line_rows_));
+  if (!spring_rows_.rows.empty()) recorder_.table("crack_springs", std::move(spring_rows_));
   name_settings_by_keys(summary_);
   summary_ = recorder_.finish(std::move(summary_), stopwatch_);
   if (plan_.reports() && recorder_.on_first_process())

@@ -11,10 +11,7 @@
 #include "post/files/recorder.hpp"
 #include "post/files/summary.hpp"
 #include "post/report/pictures.hpp"
-
-namespace post {
-struct SampledLine;
-}
+#include "post/report/probes_and_lines.hpp"
 
 namespace plate {
 class NumericalError;
@@ -101,7 +98,8 @@ private:
   // of the frames of a plate at rest
   std::vector<std::vector<post::ProbeValue>> values_, sums_;
   std::vector<post::SampledLine> lines_;
-  post::Table line_rows_;
+  post::SpringsOnCracks springs_;
+  post::Table line_rows_, spring_rows_;
   std::optional<post::OtherResults> other_;
   post::Pictures pictures_;             // for the report
   std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed

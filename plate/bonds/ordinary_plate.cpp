@@ -83,6 +83,55 @@ std::string name_of(SurfaceCorrection correction) {
   return "";
 }
 
+/// Shares of points in the displacements of a place [spacings] on the face of a crack: by the linear field that fits
+/// those of the points that it sees best, with weights that fall to zero over 2.5 spacings.
+std::vector<FacePair::Share> shares_on_face(const Point& at, const Boundary& boundary,
+                                            const std::vector<geometry::CrackPath>& cracks) {
+  constexpr double reach = 2.5;
+  const auto& [units, positions, areas, plate_points, part] = boundary.cloud;
+  const auto near = visible_from(at, reach, boundary.lattice, plate_points, cracks);
+  const auto count = Eigen::Index(near.size());
+  Eigen::MatrixXd basis(count, 3);
+  Eigen::VectorXd root(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Point x = near[std::size_t(i)].second - at;
+    basis.row(i) << 1, x.x(), x.y();
+    root[i] = std::sqrt(std::max(0.0, 1 - x.norm() / reach));
+  }
+  std::vector<FacePair::Share> result;
+  if (const auto [inverse, rank] = pseudo_inverse(root.asDiagonal() * basis); rank == 3) {
+    for (Eigen::Index i = 0; i < count; ++i) result.push_back({near[std::size_t(i)].first, inverse(0, i) * root[i]});
+    return result;
+  }
+  for (const auto& share : visible_place(units.from_lattice(at), units, boundary.lattice, plate_points, cracks))
+    result.push_back({share.point, share.weight});
+  return result;
+}
+
+/// Places two spacings apart on the cracks: forces at nearer ones would vary from place to place, as the points do
+/// beside oblique cracks.
+std::vector<FacePair> facing_places(const Boundary& boundary, const std::vector<geometry::CrackPath>& paths) {
+  constexpr double apart = 2, beside = 1e-3;  // spacings
+  const auto& units = boundary.cloud.units;
+  const auto cracks = geometry::to_lattice(paths, units);
+  std::vector<FacePair> result;
+  for (const auto& path : paths)
+    for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
+      const Point from = path.vertices[i], along = path.vertices[i + 1] - from;
+      const double count = std::max(1.0, std::round(along.norm() / (apart * units.spacing)));
+      const Point normal = Point(-along.y(), along.x()).normalized();
+      for (double n = 0.5; n < count; ++n) {
+        const Point at = from + n / count * along, place = units.to_units(at);
+        result.push_back({.left = shares_on_face(place + beside * normal, boundary, cracks),
+                          .right = shares_on_face(place - beside * normal, boundary, cracks),
+                          .position = at,
+                          .normal = normal,
+                          .length = along.norm() / count});
+      }
+    }
+  return result;
+}
+
 class OrdinaryPlate : public Formulation {
 public:
   OrdinaryPlate(Layout layout, LatticeOperator op, std::optional<MatchCounts> match)
@@ -109,7 +158,7 @@ public:
   }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
-  std::vector<FacePair> face_pairs() const override;
+  std::vector<FacePair> face_pairs() const override { return facing_places(boundary(), paths()); }
   PointMatrix stiffness() const override { return stiffness_matrix(op_, true); }
   std::unique_ptr<Stretching> stretching() const override {
     return std::make_unique<BondStretching>(op_, section(), cloud().areas, cloud().plate_points);
@@ -145,55 +194,6 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
     throw Refused({{Subject::geometry, 0, too_far("place", at, away, reach_of_places)}});
   const auto& units = cloud().units;
   return visible_place(at, units, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), units));
-}
-
-/// Shares of points in the displacements of a place [spacings] on the face of a crack: by the linear field that fits
-/// those of the points that it sees best, with weights that fall to zero over 2.5 spacings.
-std::vector<FacePair::Share> shares_on_face(const Point& at, const Boundary& boundary,
-                                            const std::vector<geometry::CrackPath>& cracks) {
-  constexpr double reach = 2.5;
-  const auto& [units, positions, areas, plate_points, part] = boundary.cloud;
-  const auto near = visible_from(at, reach, boundary.lattice, plate_points, cracks);
-  const auto count = Eigen::Index(near.size());
-  Eigen::MatrixXd basis(count, 3);
-  Eigen::VectorXd root(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Point x = near[std::size_t(i)].second - at;
-    basis.row(i) << 1, x.x(), x.y();
-    root[i] = std::sqrt(std::max(0.0, 1 - x.norm() / reach));
-  }
-  std::vector<FacePair::Share> result;
-  if (const auto [inverse, rank] = pseudo_inverse(root.asDiagonal() * basis); rank == 3) {
-    for (Eigen::Index i = 0; i < count; ++i) result.push_back({near[std::size_t(i)].first, inverse(0, i) * root[i]});
-    return result;
-  }
-  for (const auto& share : visible_place(units.from_lattice(at), units, boundary.lattice, plate_points, cracks))
-    result.push_back({share.point, share.weight});
-  return result;
-}
-
-/// Places two spacings apart on the cracks: forces at nearer ones would vary from place to place, as the points do
-/// beside oblique cracks.
-std::vector<FacePair> OrdinaryPlate::face_pairs() const {
-  constexpr double apart = 2, beside = 1e-3;  // spacings
-  const auto& units = cloud().units;
-  const auto cracks = geometry::to_lattice(paths(), units);
-  std::vector<FacePair> result;
-  for (const auto& path : paths())
-    for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
-      const Point from = path.vertices[i], along = path.vertices[i + 1] - from;
-      const double count = std::max(1.0, std::round(along.norm() / (apart * units.spacing)));
-      const Point normal = Point(-along.y(), along.x()).normalized();
-      for (double n = 0.5; n < count; ++n) {
-        const Point at = from + n / count * along, place = units.to_units(at);
-        result.push_back({.left = shares_on_face(place + beside * normal, boundary(), cracks),
-                          .right = shares_on_face(place - beside * normal, boundary(), cracks),
-                          .position = at,
-                          .normal = normal,
-                          .length = along.norm() / count});
-      }
-    }
-  return result;
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {
@@ -328,7 +328,8 @@ std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const std
   const auto whole = geometry::families(boundary.cloud, d.horizon(), sees(boundary, outline, d.horizon_ratio));
   auto families =
       without_crossing_bonds(boundary, whole, geometry::to_lattice(paths, boundary.cloud.units), d.horizon_ratio);
-  boundary.elastic_supports = elastic_supports_of(problem, boundary.cloud);
+  boundary.elastic_supports = elastic_supports_of(
+      problem, boundary.cloud, problem.ties_faces() ? facing_places(boundary, paths) : std::vector<FacePair>());
   OperatedPart operated_part;
   if (part) operated_part = operated(*part, boundary, families, layout.tips);
   layout.pieces = pieces(boundary, families, law);
@@ -400,7 +401,10 @@ const FormulationKind ordinary{
      {Feature::any_direction, "these supports mirror or extend the lattice, at edges along x or y"},
      {Feature::lanczos, "\"lanczos\" is of formulation = \"galerkin\", whose points all have mass"},
      {Feature::sections, "bonds share their weights by pattern, as one isotropic section makes them"},
-     {Feature::stiffeners, "beams need points on their line, and bonds have theirs beside it"}},
+     {Feature::stiffeners, "beams need points on their line, and bonds have theirs beside it"},
+     {Feature::part_through,
+      "springs that are nearly rigid need points on the faces, and bonds have theirs beside "
+      "them"}},
     discretised};
 
 }  // namespace plate

@@ -168,7 +168,7 @@ void ElasticSupportSum::add(const std::vector<Dof>& dofs, const Eigen::Ref<const
 
 ElasticSupport ElasticSupportSum::taken(std::string name, const std::optional<geometry::Point>& position,
                                         bool holds) && {
-  ElasticSupport result{std::move(name), position, holds, points_, {}, {}, {}, {}, {}};
+  ElasticSupport result{.name = std::move(name), .position = position, .holds = holds, .points = points_};
   std::ranges::stable_sort(entries_, {}, &Entry::place);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto [place, value] = entries_[i];

@@ -19,12 +19,13 @@ class Contact;
 struct ElasticSupport {
   std::string name;                         // foundation0, ..., spring0, ..., stiffener0, ... in the order of the case
   std::optional<geometry::Point> position;  // of a spring at a point [length]
-  bool holds = true;                        // against rigid motions: not a stiffener
+  bool holds = true;                        // against rigid motions: neither a stiffener nor springs on cracks
+  bool joins = false;                       // the points of a row move as one body
   std::size_t points = 0;                   // of the plate and beside it
-  std::vector<std::uint32_t> row;           // ascending; those that are not zero
-  std::vector<std::size_t> first;           // where the entries of a row begin [rows + 1]
-  std::vector<std::uint32_t> column;
-  std::vector<double> value;
+  std::vector<std::uint32_t> row = {};      // ascending; those that are not zero
+  std::vector<std::size_t> first = {};      // where the entries of a row begin [rows + 1]
+  std::vector<std::uint32_t> column = {};
+  std::vector<double> value = {};
   std::shared_ptr<const Contact> contact = {};  // of a unilateral foundation; the matrix is that of contact everywhere
 
   /// Forces of the elastic supports on the plate, -K state [3 x points]; unilateral foundations press where they are in
@@ -54,6 +55,13 @@ public:
   const std::vector<std::shared_ptr<const ElasticSupport>>& parts() const { return parts_; }
   /// Supports that hold the plate against rigid motions.
   std::vector<std::shared_ptr<const ElasticSupport>> holding() const;
+  /// visit(k, j) for points that springs between the faces of cracks let move as one body.
+  template <typename Visit>
+  void for_each_joined(const Visit& visit) const {
+    for (const auto& part : parts_)
+      if (part->joins)
+        part->for_each([&](const Dof& row, const Dof& column, double) { visit(row.point, column.point); });
+  }
 
   void add_force(const State& state, Forces& forces) const;  // forces += -K state
   void add_force(const Values<float>& state, Values<float>& forces) const;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 #include "geometry/shape/crack_path.hpp"
+#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/numerical_method.hpp"
 
@@ -54,33 +55,6 @@ struct MemoryPart {
 struct StartOfCracks {
   std::vector<geometry::Polyline> cracks;
   std::vector<double> cut;
-};
-
-/// Two places that face each other on a crack, one on each face.
-struct FacePair {
-  struct Share {
-    std::uint32_t point;
-    double weight;
-  };
-  std::vector<Share> left, right;  // of points in the displacements of both places; the weights of each add up to 1
-  geometry::Point position{0, 0};
-  geometry::Point normal{0, 0};  // of the crack, from right to left
-  double length = 0;             // of the crack that they stand for [length]
-
-  /// Displacement (u, v) of a point in the plane along the normal; of a plate that bends that of the fibre at z = 1.
-  double across(const PointValues& values) const { return normal.x() * values[2] - normal.y() * values[1]; }
-  double opening(const State& state) const {
-    double result = 0;
-    for (const auto& [point, weight] : left) result += weight * across(state.col(point));
-    for (const auto& [point, weight] : right) result -= weight * across(state.col(point));
-    return result;
-  }
-  /// Adds forces that press both places apart.
-  void press(double force, Forces& forces) const {
-    const PointValues apart(0, -force * normal.y(), force * normal.x());
-    for (const auto& [point, weight] : left) forces.col(point) += weight * apart;
-    for (const auto& [point, weight] : right) forces.col(point) -= weight * apart;
-  }
 };
 
 /// Mass of a plate off its middle plane, of every point: integrals of rho z, and of rho z^2 of stiffeners, which

@@ -44,6 +44,7 @@ RigidParts::RigidParts(const Boundary& boundary, const geometry::Families& famil
     if (on_line(k) && on_line(j)) sets_.join(k, j);  // one chain; its points' turns are counted one by one
     if (!on_line(k) && !on_line(j)) join_triangle(k, j);
   });
+  boundary.elastic_supports.for_each_joined([&](std::uint32_t k, std::uint32_t j) { sets_.join(k, j); });
   number();
 }
 

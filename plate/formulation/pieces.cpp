@@ -73,6 +73,7 @@ DisjointSets connected(const Boundary& boundary, const geometry::Families& famil
     for (const auto& bond : families[k])  // far from its owned points a process does not know what has broken
       if (bond.neighbour < k && (boundary.owns(k) || boundary.owns(bond.neighbour))) sets.join(k, bond.neighbour);
   for (const auto& tie : boundary.constraints.ties()) sets.join(tie.follower.point, tie.leader.point);
+  boundary.elastic_supports.for_each_joined([&](std::uint32_t k, std::uint32_t j) { sets.join(k, j); });
   return sets;
 }
 

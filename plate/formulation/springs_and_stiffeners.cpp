@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometry/cells/tessellation.hpp"
+#include "plate/formulation/crack_springs.hpp"
 #include "plate/formulation/foundations.hpp"
 #include "plate/formulation/hubs.hpp"
 #include "plate/formulation/interpolation.hpp"
@@ -305,11 +306,25 @@ void add_edges(const Spring& spring, const geometry::Tessellation& cells, Elasti
   }
 }
 
-/// `hubs`: those of the supports, none in the plane; `found(foundation, sum)`, `hold(spring, sum)`,
-/// `stiffen(stiffener, sum)`: what they add.
+/// Springs between the faces of cracks.
+ElasticSupport tied_faces(const Problem& problem, std::size_t number, const std::vector<FacePair>& faces,
+                          std::size_t points) {
+  ElasticSupportSum sum(points);
+  for (const auto& one : crack_springs(problem, number, faces)) one.add(problem.section.law, sum);
+  auto result = std::move(sum).taken(fmt::format("spring{}", number), std::nullopt, false);
+  const auto& spring = problem.springs[number];
+  const bool bends = problem.section.law == PlateLaw::bending;
+  result.joins = spring.depth.given() ||
+                 (bends ? spring.deflection > 0 && spring.rotation_normal > 0 && spring.rotation_tangential > 0
+                        : spring.opening > 0 && spring.sliding > 0);
+  return result;
+}
+
+/// `hubs`: those of the supports, none in the plane; `faces`: of the cracks; `found(foundation, sum)`,
+/// `hold(spring, sum)`, `stiffen(stiffener, sum)`: what they add.
 template <typename Found, typename Hold, typename Stiffen>
 ElasticSupports all(const Problem& problem, const std::vector<Point>& positions, const std::vector<Hub>& hubs,
-                    const Found& found, const Hold& hold, const Stiffen& stiffen) {
+                    const std::vector<FacePair>& faces, const Found& found, const Hold& hold, const Stiffen& stiffen) {
   const auto points = positions.size();
   const auto holders = hubs.empty() ? std::vector<Holder>() : holders_of(problem.supports);
   std::vector<ElasticSupport> parts;
@@ -319,6 +334,10 @@ ElasticSupports all(const Problem& problem, const std::vector<Point>& positions,
     parts.push_back(std::move(sum).taken(fmt::format("foundation{}", i), std::nullopt));
   }
   for (std::size_t i = 0; i < problem.springs.size(); ++i) {
+    if (!problem.springs[i].cracks.empty()) {
+      parts.push_back(tied_faces(problem, i, faces, points));
+      continue;
+    }
     ElasticSupportSum sum(points);
     hold(problem.springs[i], sum);
     parts.push_back(std::move(sum).taken(fmt::format("spring{}", i), problem.springs[i].position));
@@ -339,10 +358,11 @@ ElasticSupports all(const Problem& problem, const std::vector<Point>& positions,
 
 }  // namespace
 
-ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud) {
+ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud,
+                                    const std::vector<FacePair>& faces) {
   const bool bends = problem.section.law == PlateLaw::bending;
   return all(
-      problem, cloud.positions, bends ? hubs_of(problem.supports, cloud) : std::vector<Hub>(),
+      problem, cloud.positions, bends ? hubs_of(problem.supports, cloud) : std::vector<Hub>(), faces,
       [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, problem, cloud, sum);
@@ -359,6 +379,7 @@ ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Tess
   const auto outline = geometry::to_lattice(problem.outline, cells.units);
   return all(
       problem, cells.positions, bends ? hubs_of(problem.supports, outline, cells) : std::vector<Hub>(),
+      problem.ties_faces() ? facing_points(cells) : std::vector<FacePair>(),
       [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cells, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, cells, sum);

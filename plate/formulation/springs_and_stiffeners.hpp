@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "plate/formulation/elastic_supports.hpp"
+#include "plate/formulation/face_pairs.hpp"
 
 namespace geometry {
 struct Cloud;
@@ -41,8 +42,10 @@ std::vector<double> stiffener_masses(const Problem& problem, const geometry::Tes
 ElasticSupports axial_forces_of(const Problem& problem, const geometry::Tessellation& cells, const PointMap& map,
                                 const State& bending, const State& in_plane);
 
-/// Constructs all foundations and springs of a problem on points in the middles of cells.
-ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud);
+/// Constructs all foundations and springs of a problem on points in the middles of cells. `faces`: of the cracks, where
+/// springs tie them.
+ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud,
+                                    const std::vector<FacePair>& faces);
 
 /// Foundations and springs of a problem on points that are corners of cells.
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Tessellation& cells);

@@ -45,6 +45,8 @@ enum class Subject {
   spring_edges,
   spring_line,
   spring_position,
+  spring_cracks,
+  spring_depth,
   stiffener,
   stiffener_edges,
   stiffener_line,

@@ -48,7 +48,8 @@ Problem membrane_of(Problem problem) {
       load.action = BodyForce{};
     else if (heat)
       heat->value = heat->mean, heat->formula = heat->mean_formula;
-  problem.foundations.clear(), problem.springs.clear();
+  problem.foundations.clear();
+  std::erase_if(problem.springs, [](const Spring& spring) { return !spring.stretches(); });
   std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.stretches(); });
   for (auto& beam : problem.stiffeners) beam.mass = 0;
   return problem;
@@ -56,7 +57,8 @@ Problem membrane_of(Problem problem) {
 
 Problem coupling_of(Problem problem) {
   problem.section.law = PlateLaw::coupling;
-  problem.foundations.clear(), problem.springs.clear();
+  problem.foundations.clear();
+  std::erase_if(problem.springs, [](const Spring& spring) { return !spring.depth.given(); });
   std::erase_if(problem.stiffeners, [](const Stiffener& beam) { return !beam.eccentric(); });
   return problem;
 }

@@ -90,7 +90,8 @@ enum class Feature {
   in_plane,        // loads and displacements in the plane, at rest
   stretching,      // what couples both: large deflections, buckling; motion, frequencies under loads there
   touching_faces,  // of cracks: contact
-  hubs_in_holes    // rigid discs that fill holes
+  hubs_in_holes,   // rigid discs that fill holes
+  part_through     // cracks through a part of the thickness
 };
 
 /// A formulation of the plate, before anything is discretised: what it is called, what it cannot do, and how it turns a

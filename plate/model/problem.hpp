@@ -70,7 +70,17 @@ struct Problem {
   }
   bool faces_touch() const { return faces && faces->contact; }
   /// True where bending and stretching act on each other in linear theory.
-  bool coupled() const { return section.couples() || std::ranges::any_of(stiffeners, &Stiffener::eccentric); }
+  bool coupled() const {
+    return section.couples() || std::ranges::any_of(stiffeners, &Stiffener::eccentric) || part_through();
+  }
+  /// True where springs tie the faces of cracks.
+  bool ties_faces() const {
+    return std::ranges::any_of(springs, [](const Spring& one) { return !one.cracks.empty(); });
+  }
+  /// True where a crack goes through a part of the thickness.
+  bool part_through() const {
+    return std::ranges::any_of(springs, [](const Spring& one) { return one.depth.given(); });
+  }
   bool elastically_supported() const { return !foundations.empty() || !springs.empty(); }
 };
 

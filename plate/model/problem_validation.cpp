@@ -392,6 +392,12 @@ std::vector<Refusal> errors_in_edges(const Problem& problem) {
     check_names(spring.edges, geometry::edge_names(problem.outline), Subject::spring_edges, i, found);
     check_along(spring.along, {Subject::spring_line, i, ""}, problem.outline, found);
     check_line(spring.along, {Subject::spring_line, i, ""}, problem, found);
+    for (const auto crack : spring.cracks)
+      if (crack >= problem.cracks.size())
+        found.push_back({Subject::spring_cracks, i,
+                         problem.cracks.empty()
+                             ? std::string("there are no cracks whose faces springs could tie")
+                             : fmt::format("{} given, must be from 0 to {}", crack, problem.cracks.size() - 1)});
     if (spring.position && !on_plate(problem.outline, *spring.position))
       found.push_back({Subject::spring_position, i,
                        text_of(*spring.position) + " given, must lie in the plate or on its boundary"});

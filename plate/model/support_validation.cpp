@@ -19,18 +19,24 @@ constexpr auto of_lines = " resists along edges and lines; a position has deflec
 /// Adds refusals of a spring as such, one sentence each.
 void check_keys(const Spring& spring, std::size_t number, std::vector<Refusal>& found) {
   std::vector<std::string> errors;
-  const int places = !spring.edges.empty() + !spring.along.empty() + spring.position.has_value();
+  const bool ties = !spring.cracks.empty();
+  const int places = !spring.edges.empty() + !spring.along.empty() + spring.position.has_value() + ties;
   if (places != 1)
     errors.push_back(
-        fmt::format("{} given, must be one of edges, along and position", places == 0 ? "none" : "several"));
-  if (spring.deflection + spring.rotation_normal + spring.rotation_tangential + spring.rotation <= 0)
+        fmt::format("{} given, must be one of edges, along, position and cracks", places == 0 ? "none" : "several"));
+  const double stiffness = spring.deflection + spring.rotation_normal + spring.rotation_tangential + spring.rotation +
+                           spring.opening + spring.sliding;
+  if (spring.depth.given() && stiffness > 0)
+    errors.push_back("depth gives the stiffnesses of a crack through a part of the thickness: remove the others");
+  if (stiffness <= 0 && !spring.depth.given())
     errors.push_back("resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
+  if (!ties && spring.stretches()) errors.push_back("opening, sliding and depth are of springs on cracks");
   if (spring.position && spring.rotation_normal > 0) errors.push_back(fmt::format("rotation_normal{}", of_lines));
   if (spring.position && spring.rotation_tangential > 0)
     errors.push_back(fmt::format("rotation_tangential{}", of_lines));
   if (!spring.position && places > 0 && spring.rotation > 0)
     errors.push_back(
-        "rotation is of a spring at a position; edges and lines have rotation_normal and rotation_tangential");
+        "rotation is of a spring at a position; edges, lines and cracks have rotation_normal and rotation_tangential");
   if (!errors.empty()) found.push_back({Subject::spring, number, fmt::format("{}", fmt::join(errors, "; "))});
 }
 

@@ -5,6 +5,7 @@
 
 #include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/outline.hpp"
+#include "plate/model/formula.hpp"
 
 namespace plate {
 
@@ -78,7 +79,7 @@ struct Foundation {
   bool unilateral = false;              // presses along +w where w < 0, and does not pull
 };
 
-/// Springs along edges, along a line, or one at a point: of these three one is given.
+/// Springs along edges, along a line, one at a point, or between the faces of cracks: of these four one is given.
 struct Spring {
   double deflection = 0;           // against w: [force/length^2], of one [force/length]
   double rotation_normal = 0;      // against psi_n, which bends: [force]; n the normal of the edge or line
@@ -87,6 +88,13 @@ struct Spring {
   std::vector<std::string> edges;
   geometry::Polyline along;
   std::optional<geometry::Point> position;
+  std::vector<std::size_t> cracks;  // numbers of cracks; springs resist what parts their faces
+  double opening = 0, sliding = 0;  // of cracks, against u_n and u_s in the plane [force/length^2]
+  Formula depth;                    // instead of stiffnesses: of cracks through a part of the thickness [length]
+  bool from_below = false;          // these begin at z = -h/2
+
+  /// True where it acts in the plane.
+  bool stretches() const { return opening > 0 || sliding > 0 || depth.given(); }
 };
 
 /// A beam along edges or a line, tied to the plate's deflection and rotations, and with an axial stiffness to its

@@ -12,6 +12,7 @@
 #include "geometry/shape/patch.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/crack_springs.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
 #include "plate/model/loads.hpp"
@@ -44,14 +45,22 @@ double distance_to(const geometry::Hole& part, const geometry::Point& x) {
   return geometry::distance(ring, x);
 }
 
-/// Length over which elastic foundations press back, in proportion to what the fields of a fit do not have: the
-/// shortest of all sqrt(D / G_p) and (D / k)^(1/4) [length].
-double reach_of_foundations(const plate::Problem& c) {
+/// Length over which elastic foundations and springs between faces press back, in proportion to what the fields of a
+/// fit do not have: the shortest of all sqrt(D / G_p) and (D / k)^(1/4), of springs D / k and S / k [length].
+double reach_of_elastic_supports(const plate::Problem& c) {
   double result = INFINITY;
   const double stiffness = c.section.bending_stiffness();
   for (const auto& foundation : c.foundations) {
     if (foundation.modulus > 0) result = std::min(result, std::pow(stiffness / foundation.modulus, 0.25));
     if (foundation.shear > 0) result = std::min(result, std::sqrt(stiffness / foundation.shear));
+  }
+  const bool bends = c.section.law == plate::PlateLaw::bending;
+  for (const auto& spring : c.springs) {
+    if (spring.cracks.empty()) continue;
+    const double turns =
+        bends ? std::max(spring.rotation_normal, spring.rotation_tangential) : std::max(spring.opening, spring.sliding);
+    if (turns > 0) result = std::min(result, stiffness / turns);
+    if (bends && spring.deflection > 0) result = std::min(result, c.section.shear_stiffness() / spring.deflection);
   }
   return result;
 }
@@ -101,7 +110,7 @@ TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath
   const double faces = std::min(d.spacing, d.spacing_at_tips() + d.spacing_growth * clear);
   const bool heated = std::ranges::any_of(
       c.loads, [](const plate::Load& load) { return load.as<plate::Temperature>() && load.formula().given(); });
-  const double undisturbed = std::min(undisturbed_distance(c, tip), 2 * reach_of_foundations(c));
+  const double undisturbed = std::min(undisturbed_distance(c, tip), 2 * reach_of_elastic_supports(c));
   return {.tip = tip,
           .path = paths[tip.crack],
           .clear = clear,
@@ -144,7 +153,7 @@ std::optional<double> tip_spacing_for(const plate::Problem& problem) {
   const auto paths = plate::crack_paths(problem);
   const auto tips = geometry::tips(paths);
   if (tips.empty()) return std::nullopt;
-  const double clear = std::min(least_clear_distance(fine, paths, tips), reach_of_foundations(problem));
+  const double clear = std::min(least_clear_distance(fine, paths, tips), reach_of_elastic_supports(problem));
   double result = spacing;
   if (problem.section.thickness < thick * spacing) result = std::min(result, of_layer * problem.section.layer());
   if (clear < far * spacing) result = std::min(result, of_clear * clear);
@@ -202,6 +211,12 @@ std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifO
       result.emplace_back(false, std::vector<std::string>{});
       continue;
     }
+    if (plate::part_through_at(plate.problem(), tip.position)) {
+      result.emplace_back(
+          false,
+          std::vector<std::string>{"the crack goes through a part of the thickness: see K_front in crack_springs.csv"});
+      continue;
+    }
     if (!view) view = plate.tip_view();
     auto place = place_of(plate.problem(), plate.paths(), tip, INFINITY);
     place.narrowest = narrowest, place.known_error = known;
@@ -255,7 +270,8 @@ plate::Forces forces_on(const plate::Formulation& plate, const plate::State& sta
   return force;
 }
 
-/// Factor of the products of pairs, by which forces on their points follow from those that press the pairs apart.
+/// Factor of the products of pairs, by which forces on their points follow from those that press the pairs apart: the
+/// same for all jumps of a straight crack.
 Eigen::LDLT<Eigen::MatrixXd> products_of(const std::vector<std::pair<double, plate::FacePair>>& pairs) {
   struct Row {
     Eigen::Index pair;
@@ -274,10 +290,12 @@ Eigen::LDLT<Eigen::MatrixXd> products_of(const std::vector<std::pair<double, pla
   return result.ldlt();
 }
 
-/// Pairs of places on the straight part of a crack behind its tip, the nearest first.
+/// Pairs of places on the straight part of a crack behind its tip, the nearest first. `tied`: by springs, which resist
+/// all jumps; faces that touch press on their opening alone.
 class FacesBehind {
 public:
-  FacesBehind(const std::vector<plate::FacePair>& pairs, const geometry::Tip& tip) {
+  FacesBehind(const std::vector<plate::FacePair>& pairs, const geometry::Tip& tip, bool tied)
+      : acts_(tied ? 1 : 0, 1, tied ? 1 : 0) {
     for (const auto& pair : pairs) {
       const geometry::Point x = pair.position - tip.position;
       const double behind = -tip.direction.dot(x);
@@ -297,41 +315,46 @@ public:
       const auto& [behind, pair] = pairs_[i];
       const Eigen::Vector2d line(1, behind);
       sums += pair.length * line * line.transpose();
-      forces += line * pressing[Eigen::Index(i)];
+      forces += line * pressing(Eigen::Index(i), opening);
     }
     return pairs_.empty() ? 0 : sums.completeOrthogonalDecomposition().solve(forces)[0];
   }
 
-  /// Takes the forces that press the faces apart away. Returns the work that they do per length by which the tip moves
-  /// on, minus, at every point [force]: a difference of openings, as gradients at the points are means over the field
+  /// Takes the forces that part the faces away. Returns the work that they do per length by which the tip moves on,
+  /// minus, at every point [force]: a difference of jumps, as gradients at the points are means over the field
   /// about them.
   Eigen::VectorXd take(const plate::State& state, plate::Forces& force) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(force.cols());
     const auto pressing = this->pressing(force);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto& pair = pairs_[i].second;
-      const double own = pressing[Eigen::Index(i)];
+      const Eigen::Vector3d own = pressing.row(Eigen::Index(i)).transpose();
       pair.press(own, force);
       if (i + 1 == pairs_.size()) continue;  // the mouth, or the other tip: far outside of rings
-      const auto [before, opening] = i == 0 ? std::pair(0.0, 0.0) : at(i - 1, state);
+      const auto [before, jumps] = i == 0 ? std::pair(0.0, Eigen::Vector3d(0, 0, 0)) : at(i - 1, state);
       const auto [after, wider] = at(i + 1, state);
       for (const auto& [point, weight] : pair.left)
-        result[point] += weight * own * (wider - opening) / (after - before);  // openings grow backwards
+        result[point] += weight * own.dot(wider - jumps) / (after - before);  // jumps grow backwards
     }
     return result;
   }
 
 private:
-  /// Forces that press the pairs apart, by internal forces, which are minus those from outside.
-  Eigen::VectorXd pressing(const plate::Forces& force) const {
-    Eigen::VectorXd result(Eigen::Index(pairs_.size()));
-    for (std::size_t i = 0; i < pairs_.size(); ++i) result[Eigen::Index(i)] = -pairs_[i].second.opening(force);
-    return pairs_.empty() ? result : Eigen::VectorXd(products_.solve(result));
+  static constexpr Eigen::Index opening = 1;  // of the jumps of a pair
+
+  /// Forces that part the pairs, by internal forces, which are minus those from outside [pairs x 3].
+  Eigen::MatrixX3d pressing(const plate::Forces& force) const {
+    Eigen::MatrixX3d result(Eigen::Index(pairs_.size()), 3);
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      result.row(Eigen::Index(i)) = -acts_.cwiseProduct(pairs_[i].second.jumps(force)).transpose();
+    return pairs_.empty() ? result : Eigen::MatrixX3d(products_.solve(result));
   }
-  /// Distance from the tip and opening of a pair.
-  std::pair<double, double> at(std::size_t i, const plate::State& state) const {
-    return {pairs_[i].first, pairs_[i].second.opening(state)};
+  /// Distance from the tip and jumps of a pair.
+  std::pair<double, Eigen::Vector3d> at(std::size_t i, const plate::State& state) const {
+    return {pairs_[i].first, pairs_[i].second.jumps(state)};
   }
+
+  Eigen::Vector3d acts_;  // 1 for the jumps that forces act on
 
   std::vector<std::pair<double, plate::FacePair>> pairs_;  // with their distances from the tip
   Eigen::LDLT<Eigen::MatrixXd> products_;
@@ -360,7 +383,8 @@ plate::State eased(const plate::Formulation& plate, const geometry::Tip& tip, co
 std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& options,
                         const std::vector<TipMethods>& methods, const plate::State& state, bool all_rings,
                         const plate::Heat* heat, const plate::Stretch* stretch) {
-  const bool heated = heat && !heat->none(), touching = plate.problem().faces_touch();
+  const bool heated = heat && !heat->none();
+  const bool pressed = plate.problem().faces_touch() || plate.problem().ties_faces();  // on the faces
   const auto forces = [&](const plate::State& of) {
     auto force = forces_on(plate, of);
     if (heated) force += heat->forces;
@@ -375,14 +399,15 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   };
   plate::Forces force;
   if (plate.distributed() ||  // no process can find forces alone
-      touching || std::ranges::any_of(methods, [](const auto& tip) { return tip.needs_force(); }))
+      pressed || std::ranges::any_of(methods, [](const auto& tip) { return tip.needs_force(); }))
     force = forces(state);
   std::vector<std::vector<Srif>> by_tip(methods.size());
-  if (touching) {  // each tip needs forces of a state of its own, which all threads find together
+  if (pressed) {  // each tip needs forces of a state of its own, which all threads find together
     const auto pairs = plate.face_pairs();
     for (std::size_t tip = 0; tip < methods.size(); ++tip) {
+      if (!methods[tip].here()) continue;
       const auto& at = plate.tips()[tip];
-      const FacesBehind faces(pairs, at);
+      const FacesBehind faces(pairs, at, plate.problem().ties_faces());
       const double near = std::min(clear_distance(plate.problem(), plate.paths(), at) / 4, 2 * plate.section().layer());
       const auto rest = eased(plate, at, state, faces.pressure(force, near));
       auto of_rest = forces(rest);

@@ -242,6 +242,12 @@ std::string text_of(const plate::Spring& spring) {
                   {"rotation", json_number(spring.rotation)},
                   {"edges", text_of(spring.edges)}};
   if (!spring.along.empty()) members.emplace_back("along", text_of(spring.along));
+  if (!spring.cracks.empty()) {
+    members.emplace_back("cracks", fmt::format("[{}]", fmt::join(spring.cracks, ",")));
+    members.emplace_back("opening", json_number(spring.opening));
+    members.emplace_back("sliding", json_number(spring.sliding));
+    if (spring.depth.given()) members.emplace_back("depth", json_text(spring.depth.text()));
+  }
   if (spring.position) members.emplace_back("position", text_of(*spring.position));
   return json_object(members);
 }

@@ -28,6 +28,7 @@ std::string tables(const fs::path& folder) {
   add("history", whole);
   add("probes", whole);
   add("lines", whole);
+  add("crack_springs", whole);
   add("growth", whole);
   add("response", whole);
   add("reactions", [](const Table& table) { return columns_of(table, {"time", "support", "force"}); });

@@ -151,9 +151,9 @@ function reactions_of_cases(all) {
   if (supports.length === 0) return null;
   const { factor, name } = prefixed("force", all.flatMap(one => [one.reactions?.loads?.force, ...(one.reactions?.supports ?? []).map(support => support.force)]));
   const size = 1e-5 * largest(all.flatMap(one => (one.reactions?.supports ?? []).map(support => support.force)));
-  const force = path => (Math.abs(at(path) ?? 0) <= size ? value(path, 5, "0") : value(path, 5, null, factor));
+  const force = (path, error) => (Math.abs(at(path) ?? 0) <= size ? value(path, 5, "0") : with_error(path, error, factor, 5));
   const same = name => supports.filter(one => one.support === name).length > 1, titles = supports.map((one, i) => one.support + (same(one.support) ? ` ${i}` : ""));
-  const cell = (n, i) => (!all[n].reactions ? "–" : force(`load_cases[${n}].reactions.${i === 0 ? "loads" : `supports[${i - 1}]`}.force`));
+  const cell = (n, i) => (!all[n].reactions ? "–" : force(`load_cases[${n}].reactions.${i === 0 ? "loads" : `supports[${i - 1}]`}.force`, all[n].reactions.supports[i - 1]?.estimated_error));
   const tables = tables_of_cases(all, ["loads", ...titles], cell, "reactions_of_cases");
   return [element("h3", {}, name ? `Forces of the supports along w [${name}]` : "Forces of the supports along w"), tables];
 }
@@ -166,7 +166,7 @@ function moments_of_cases(all) {
   const least = 1e-5 * extent() * largest(all.flatMap(one => (one.reactions?.supports ?? []).map(support => support.force)));
   if (!(largest(moments) > least)) return null;
   const { factor, name } = prefixed("moment", moments);
-  const cell = (n, k) => { const path = `load_cases[${n}].reactions.supports[${own[k].i}].${own[k].part}`; return Math.abs(of(n, own[k])) <= least ? value(path, 4, "0") : value(path, 4, null, factor); };
+  const cell = (n, k) => { const path = `load_cases[${n}].reactions.supports[${own[k].i}].${own[k].part}`; return Math.abs(of(n, own[k])) <= least ? value(path, 4, "0") : with_error(path, all[n].reactions.supports[own[k].i][`estimated_error_${own[k].part}`], factor, 4); };
   return [element("h3", {}, name ? `Moments of the supports about their own centres [${name}]` : "Moments of the supports about their own centres"), tables_of_cases(all, own.map(one => one.title), cell, "moments_of_cases")];
 }
 
@@ -186,8 +186,8 @@ function probes_of_cases(all) {
   const { probes } = tables, places = [...new Set(probes?.probe ?? [])];
   if (places.length === 0) return { columns: [], cells: () => [], blocks: null };
   const { factor, name: of_unit } = prefixed("w", probes.w);
-  const row = (n, place) => probes.probe.findIndex((probe, i) => probe === place && probes.time[i] === n + 1);
-  const cell = (n, i) => (row(n, places[i]) < 0 ? "–" : shown(probes.w[row(n, places[i])] / factor, 4));
+  const row = (n, place) => (all[n].probes ?? []).findIndex(one => one.probe === String(place) && one.quantity === "w");
+  const cell = (n, i) => { const k = row(n, places[i]); return k < 0 ? "–" : with_error(`load_cases[${n}].probes[${k}].value`, all[n].probes[k].estimated_error, factor, 4); };
   const few_places = 3;
   if (places.length <= few_places) return { columns: places.map(place => ({ title: `w at ${place}`, unit: of_unit })), cells: n => places.map((_, i) => cell(n, i)), blocks: null };
   return { columns: [], cells: () => [], blocks: [element("h3", {}, of_unit ? `Deflection w of the probes [${of_unit}]` : "Deflection w of the probes"), tables_of_cases(all, places.map(String), cell, "probes_of_cases")] };

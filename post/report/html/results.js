@@ -133,25 +133,40 @@ function probes_section() {
   return section("Values at the probes", blocks);
 }
 
-/** Sums along lines, and moments over the way along them. */
-function lines_section() {
-  const all = data.summary.lines ?? [], rows = tables.lines;
-  const lines = [...new Set(rows?.line ?? [])], quantities = [...new Set(all.map(one => one.quantity))];
-  if (lines.length === 0) return null;
-  const of = { moment: "moment", twist: "moment", shear: "force", normal_force: "force", tangential_force: "force" };
-  const words = { moment: "moment (sum of Mnn)", twist: "twist (sum of Mns)", shear: "shear force (sum of Qn)", normal_force: "normal force (sum of Nnn)", tangential_force: "tangential force (sum of Nns)" };
-  const index = (line, quantity) => all.findIndex(one => one.line === line && one.quantity === quantity);
-  const scale = quantity => prefixed(of[quantity], all.filter(one => one.quantity === quantity).map(one => one.value));
-  const sums = all.length === 0 ? null : table([{ title: "line", left: true }, ...quantities.map(quantity => ({ title: words[quantity], unit: scale(quantity).name }))],
-    lines.map(line => [String(line), ...quantities.map(quantity => with_error(`lines[${index(line, quantity)}].value`, all[index(line, quantity)].estimated_error, scale(quantity).factor, 5))]), { "data-table": "lines" });
-  const curve = (line, names, title, quantity) => {
-    const own = rows.line.map((_, i) => i).filter(i => rows.line[i] === line && rows.time[i] === rows.time[0]);
-    const felt = names.filter(name => largest(own.map(i => rows[name]?.[i])) > 0);
-    return felt.length === 0 ? null : plot({ title: `${title} along ${line}${data.summary.load_cases ? `, ${data.summary.load_cases[rows.time[0] - 1].name}` : ""}`, x: { label: "s", quantity: "length" }, y: { label: title, quantity },
-      lines: felt.map(name => ({ label: name, x: own.map(i => rows.s[i]), y: own.map(i => rows[name][i]) })) });
+/** Sums along lines and springs on cracks, of every load case where there are some. */
+function sums_along() {
+  const { load_cases } = data.summary, words = { moment: "moment (sum of Mnn)", twist: "twist (sum of Mns)", shear: "shear force (sum of Qn)", normal_force: "normal force (sum of Nnn)", tangential_force: "tangential force (sum of Nns)", K_front: "largest K of the front" };
+  const of = { moment: "moment", twist: "moment", shear: "force", normal_force: "force", tangential_force: "force", K_front: "face" };
+  const runs = load_cases ? load_cases.map((one, n) => ({ name: one.name, path: `load_cases[${n}].lines`, all: one.lines ?? [] })) : [{ path: "lines", all: data.summary.lines ?? [] }];
+  const values = runs.flatMap(run => run.all), quantities = [...new Set(values.map(one => one.quantity))];
+  if (values.length === 0) return null;
+  const scales = Object.fromEntries(quantities.map(quantity => [quantity, prefixed(of[quantity], values.filter(one => one.quantity === quantity).map(one => one.value))]));
+  const cell = (run, line, quantity) => {
+    const i = run.all.findIndex(one => one.line === line && one.quantity === quantity);
+    return i < 0 ? "–" : with_error(`${run.path}[${i}].value`, run.all[i].estimated_error, scales[quantity].factor, 5);
   };
-  return section("Along lines", sums, plots(lines.flatMap(line => [curve(line, ["w"], "Deflection", "w"), curve(line, ["Mxx", "Myy", "Mxy"], "Moments", "Mxx"), curve(line, ["Nxx", "Nyy", "Nxy"], "Membrane forces", "Nxx")])),
-    all.length === 0 ? null : note("The normal n points to the right of the way along a line, s along n turned by +90 degrees."));
+  const rows = runs.flatMap(run => [...new Set(run.all.map(one => one.line))].map(line => [...(load_cases ? [run.name] : []), line, ...quantities.map(quantity => cell(run, line, quantity))]));
+  return [table([...(load_cases ? [{ title: "case", left: true }] : []), { title: "across", left: true }, ...quantities.map(quantity => ({ title: words[quantity], unit: scales[quantity].name }))], rows, { "data-table": "lines" }),
+    note("The normal n points to the right of the way along a line, or opens a crack; s along n turned by +90 degrees.")];
+}
+
+/** Values along lines and along cracks with springs: of the first load case where there are some. */
+function lines_section() {
+  const first = data.summary.load_cases ? `, ${data.summary.load_cases[0].name}` : "";
+  const curves = (rows, name, along, of) => {
+    const own = rows[name]?.map((_, i) => i).filter(i => rows.time[i] === rows.time[0]) ?? [];
+    return [...grouped(own, i => rows[name][i])].flatMap(([line, found]) => of.map(([columns, title, quantity]) => {
+      const places = found.map(k => own[k]), x = along(rows, places), order = places.map((_, k) => k).sort((a, b) => x[a] - x[b]);
+      const felt = columns.filter(column => largest(places.map(i => rows[column]?.[i])) > 0);
+      return felt.length === 0 ? null : plot({ title: `${title} along ${line}${first}`, x: { label: "along it", quantity: "length" }, y: { label: title, quantity },
+        lines: felt.map(column => ({ label: column, x: order.map(k => x[k]), y: order.map(k => rows[column][places[k]] ?? 0) })) });
+    }));
+  };
+  const s = (rows, places) => places.map(i => rows.s[i]);
+  const on_crack = (rows, places) => places.map(i => data.plate.cracks.map(crack => place_on(crack, rows.x[i], rows.y[i])).reduce((best, one) => (one.away < best.away ? one : best)).along);
+  const drawn = [...curves(tables.lines ?? {}, "line", s, [[["w"], "Deflection", "w"], [["Mxx", "Myy", "Mxy"], "Moments", "Mxx"], [["Nxx", "Nyy", "Nxy"], "Membrane forces", "Nxx"]]),
+    ...curves(tables.crack_springs ?? {}, "spring", on_crack, [[["moment", "twist"], "Moments", "Mxx"], [["shear"], "Shear force", "shear"], [["normal_force", "tangential_force"], "Membrane forces", "Nxx"], [["K_front"], "K of the front", "face"]])];
+  return section("Along lines", sums_along(), plots(drawn));
 }
 
 function bars(entries, words) {

@@ -1,0 +1,61 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/shape/outline.hpp"
+#include "plate/model/state.hpp"
+
+namespace geometry {
+struct Tessellation;
+}
+
+namespace plate {
+
+/// Two places that face each other on a crack, one on each face.
+struct FacePair {
+  struct Share {
+    std::uint32_t point;
+    double weight;
+  };
+  std::vector<Share> left, right;  // of points in the displacements of both places; the weights of each add up to 1
+  geometry::Point position{0, 0};
+  geometry::Point normal{0, 0};  // of the crack, from right to left
+  double length = 0;             // of the crack that they stand for [length]
+
+  /// Displacement (u, v) of a point in the plane along the normal; of a plate that bends that of the fibre at z = 1.
+  double across(const PointValues& values) const { return normal.x() * values[2] - normal.y() * values[1]; }
+  double opening(const State& state) const {
+    double result = 0;
+    for (const auto& [point, weight] : left) result += weight * across(state.col(point));
+    for (const auto& [point, weight] : right) result -= weight * across(state.col(point));
+    return result;
+  }
+  /// Adds forces that press both places apart.
+  void press(double force, Forces& forces) const {
+    const PointValues apart(0, -force * normal.y(), force * normal.x());
+    for (const auto& [point, weight] : left) forces.col(point) += weight * apart;
+    for (const auto& [point, weight] : right) forces.col(point) -= weight * apart;
+  }
+
+  /// Differences of both places: deflection, opening, and sliding along the normal turned by +90 degrees.
+  Eigen::Vector3d jumps(const State& state) const {
+    PointValues result(0, 0, 0);
+    for (const auto& [point, weight] : left) result += weight * PointValues(state.col(point));
+    for (const auto& [point, weight] : right) result -= weight * PointValues(state.col(point));
+    return {result[0], across(result), -normal.y() * result[2] - normal.x() * result[1]};
+  }
+  /// Adds forces that do work on the jumps.
+  void press(const Eigen::Vector3d& forces, Forces& on_points) const {
+    const PointValues apart(forces[0], -forces[1] * normal.y() - forces[2] * normal.x(),
+                            forces[1] * normal.x() - forces[2] * normal.y());
+    for (const auto& [point, weight] : left) on_points.col(point) += weight * apart;
+    for (const auto& [point, weight] : right) on_points.col(point) -= weight * apart;
+  }
+};
+
+/// Points of both faces at the same places of cracks, without tips, which have one point. The faces are borders of
+/// cells in opposite directions.
+/// @throws NumericalError  where points of both faces do not lie at the same places
+std::vector<FacePair> facing_points(const geometry::Tessellation& cells);
+
+}  // namespace plate
