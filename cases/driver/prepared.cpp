@@ -42,16 +42,18 @@ void check_places(const CaseFile& file, const plate::Formulation& plate, std::ve
   if (file.content.impact) check("impact.position", file.content.impact->position);
 }
 
-/// One process pins what no support holds in the plane of a plate with large deflections or of a coupled one; several
-/// do not.
+/// One process pins every part that no support holds in the plane of a plate with large deflections or of a coupled
+/// one; several pin a plate of one part alone.
 void check_held_in_plane(const CaseFile& file, const plate::Discretised& plates, std::vector<Problem>& problems) {
   const Case& c = file.content;
   const bool couples_at_first = c.coupled() && (!c.moves() || c.analysis.start == Analysis::Start::equilibrium ||
                                                 (c.initial && c.initial->deflection.given()));
-  if ((c.stretches_at_first() || couples_at_first) && plates.plate->distributed() && !plates.membrane->held())
-    problems.push_back({file.place("support"), "support",
-                        "does not hold the plate in its plane, which several processes need for large deflections and "
-                        "for sections that couple bending and stretching: set in_plane, or run it by one (pdplate)"});
+  if ((c.stretches_at_first() || couples_at_first) && plates.plate->distributed() && !plates.membrane->held() &&
+      plates.membrane->pieces().size() > 1)
+    problems.push_back(
+        {file.place("support"), "support",
+         "does not hold all parts of the plate in its plane, which several processes need for large deflections and "
+         "for sections that couple bending and stretching: set in_plane, or run it by one (pdplate)"});
 }
 
 }  // namespace

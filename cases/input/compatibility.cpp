@@ -269,7 +269,7 @@ const std::vector<Exclusion> excluded_pairs{
      "cracks through a part of the thickness are carried in linear theory: remove it, or analysis.nonlinear"},
     {part_through, varied_section, "spring[].depth",
      "the springs of such cracks are known for one isotropic material: remove it, or what makes the section vary"},
-    {touching_faces, processes, "cracks.contact", by_one_process("contact of faces cannot be found")},
+    {touching_in_motion, processes, "cracks.contact", by_one_process("contact of faces in motion cannot be found")},
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},

@@ -61,6 +61,8 @@ std::vector<KeyError> errors_in_distribution(const Case& c, int processes) {
          "large deflections of so many points cannot be found");
   refuse(c.coupled() && !c.moves() && 2 * expected_points(c) > most_factorised, "section",
          "coupled bending and stretching of so many points cannot be found");
+  refuse(c.faces_touch() && expected_points(c) > most_factorised, "cracks.contact",
+         "contact of faces of so many points cannot be found");
   refuse(c.analysis.method == plate::Analysis::Method::direct && expected_points(c) > most_factorised,
          "analysis.method", "\"direct\" of so many points cannot be run");
   if (c.srif && c.srif->richardson && processes > 0)

@@ -456,7 +456,7 @@ std::vector<std::string> warnings_about_rotations(double largest) {
 }
 
 bool may_touch(const Case& c, const plate::Formulation& plate) {
-  return !c.coupled() && !plate.distributed() && c.analysis.control == plate::LoadControl::load &&
+  return !c.coupled() && !(plate.distributed() && c.moves()) && c.analysis.control == plate::LoadControl::load &&
          (!c.growth || c.grows_at_rest()) && plate.offers(plate::Feature::touching_faces);
 }
 

@@ -114,6 +114,16 @@ std::vector<FacePair> facing_places(const Boundary& boundary, const std::vector<
   constexpr double apart = 2, beside = 1e-3;  // spacings
   const auto& units = boundary.cloud.units;
   const auto cracks = geometry::to_lattice(paths, units);
+  // a rank knows all points that a place sees, but near the border of what it has discretised, far from owned points
+  constexpr long border = 8;
+  const auto& part = boundary.cloud.part;
+  const auto known = part ? std::optional(part->grown(-border)) : std::nullopt;
+  const auto shares = [&](const Point& place) -> std::vector<FacePair::Share> {
+    if (known && !known->contains(geometry::cell_of(place))) return {};
+    auto result = shares_on_face(place, boundary, cracks);
+    std::erase_if(result, [&](const auto& share) { return !boundary.owns(share.point); });
+    return result;
+  };
   std::vector<FacePair> result;
   for (const auto& path : paths)
     for (std::size_t i = 0; i + 1 < path.vertices.size(); ++i) {
@@ -122,8 +132,8 @@ std::vector<FacePair> facing_places(const Boundary& boundary, const std::vector<
       const Point normal = Point(-along.y(), along.x()).normalized();
       for (double n = 0.5; n < count; ++n) {
         const Point at = from + n / count * along, place = units.to_units(at);
-        result.push_back({.left = shares_on_face(place + beside * normal, boundary, cracks),
-                          .right = shares_on_face(place - beside * normal, boundary, cracks),
+        result.push_back({.left = shares(place + beside * normal),
+                          .right = shares(place - beside * normal),
                           .position = at,
                           .normal = normal,
                           .length = along.norm() / count});

@@ -224,6 +224,15 @@ Constraints stacked(const Constraints& plate, const Constraints& plane, std::siz
   return result;
 }
 
+Constraints Constraints::fixing(const std::vector<Dof>& more) const {
+  Constraints result;
+  result.add(*this, 0);
+  for (const auto& dof : more) result.fix(dof);
+  result.resolve();
+  if (distributed()) result.share(*communicator_, copies_, exchange_);
+  return result;
+}
+
 Constraints Constraints::fetching(std::shared_ptr<const HaloExchange> exchange) const {
   Constraints result = *this;
   result.exchange_ = std::move(exchange);

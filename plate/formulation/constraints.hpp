@@ -59,6 +59,9 @@ public:
   int rank() const;
   bool distributed() const;
 
+  /// Returns these constraints, without the motions of their supports, with more fixed degrees of freedom.
+  Constraints fixing(const std::vector<Dof>& more) const;
+
   /// Returns these constraints with another halo exchange, which fetches more ghosts.
   Constraints fetching(std::shared_ptr<const HaloExchange> exchange) const;
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
+#include "plate/model/point_map.hpp"
 #include "plate/model/state.hpp"
 
 namespace geometry {
@@ -17,13 +18,15 @@ struct FacePair {
     std::uint32_t point;
     double weight;
   };
-  std::vector<Share> left, right;  // of points in the displacements of both places; the weights of each add up to 1
+  std::vector<Share> left, right;  // of points in the displacements of both places; of a distributed plate those of
+                                   // owned points; the weights of each add up to 1 over all ranks
   geometry::Point position{0, 0};
   geometry::Point normal{0, 0};  // of the crack, from right to left
   double length = 0;             // of the crack that they stand for [length]
 
   /// Displacement (u, v) of a point in the plane along the normal; of a plate that bends that of the fibre at z = 1.
   double across(const PointValues& values) const { return normal.x() * values[2] - normal.y() * values[1]; }
+  /// Opening, of a distributed plate the part of this rank.
   double opening(const State& state) const {
     double result = 0;
     for (const auto& [point, weight] : left) result += weight * across(state.col(point));
@@ -54,8 +57,8 @@ struct FacePair {
 };
 
 /// Points of both faces at the same places of cracks, without tips, which have one point. The faces are borders of
-/// cells in opposite directions.
+/// cells in opposite directions. Collective.
 /// @throws NumericalError  where points of both faces do not lie at the same places
-std::vector<FacePair> facing_points(const geometry::Tessellation& cells);
+std::vector<FacePair> facing_points(const geometry::Tessellation& cells, const PointMap& map = {});
 
 }  // namespace plate

@@ -115,7 +115,8 @@ public:
   /// The state at a place, exact under rigid motions. Throws Refused where it sees no point near enough.
   virtual std::vector<PlaceShare> interpolation(const geometry::Point& at) const = 0;
   virtual Mesh mesh() const = 0;
-  /// Places on the faces of cracks; none in kinds that do not offer Feature::touching_faces.
+  /// Places on the faces of cracks, in the same order on every rank; none in kinds that do not offer
+  /// Feature::touching_faces. Collective.
   virtual std::vector<FacePair> face_pairs() const;
   /// Share of each point's surroundings that cracks cut when they were as at the start of their growth.
   virtual std::vector<double> cut_at(const StartOfCracks& start) const = 0;

@@ -100,7 +100,7 @@ public:
   Inertia inertia(double rotary) const override { return {sections(), cells_, constraints(), rotary}; }
   ChosenPreconditioner preconditioner(Preconditioning wanted) const override;
   std::unique_ptr<Preconditioner> inverse_of_shifted(double shift) const override;
-  std::vector<FacePair> face_pairs() const override { return facing_points(cells_); }
+  std::vector<FacePair> face_pairs() const override { return facing_points(cells_, boundary().map); }
   PointMatrix stiffness() const override { return stiffness_matrix(op_); }
   std::unique_ptr<Stretching> stretching() const override {
     const auto& families = op_.families();

@@ -6,6 +6,7 @@
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/sections.hpp"
+#include "plate/model/reduction.hpp"
 #include "plate/solve/complementarity.hpp"
 #include "plate/solve/factorised_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
@@ -14,26 +15,21 @@ namespace plate {
 namespace {
 
 /// The largest displacement in the plane; of bending that of the fibre at z = 1.
-double largest_motion(const State& state) {
-  return state.bottomRows(2).colwise().norm().maxCoeff();
+double largest_motion(const Formulation& plate, const State& state) {
+  double result = 0;
+  for (Eigen::Index k = 0; k < state.cols(); ++k)
+    if (plate.boundary().owns(std::size_t(k))) result = std::max(result, state.col(k).tail(2).norm());
+  return largest_of(plate, result);
 }
 
 }  // namespace
 
-Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, std::size_t points, const Solutions& solutions) {
-  constexpr std::size_t at_once = 32;  // as many states are held
-  const auto count = pairs.size();
-  Eigen::MatrixXd result(count, count);
-  for (std::size_t first = 0; first < count; first += at_once) {
-    std::vector<Forces> loads;
-    for (auto i = first; i < std::min(count, first + at_once); ++i)
-      pairs[i].press(1, loads.emplace_back(zero_forces(points)));
-    const auto states = solutions(loads);
-    for (std::size_t i = 0; i < states.size(); ++i)
-      for (std::size_t j = 0; j < count; ++j)
-        result(Eigen::Index(j), Eigen::Index(first + i)) = pairs[j].opening(states[i]);
-  }
-  return (result + result.transpose()) / 2;
+Eigen::MatrixXd sum_of_ranks(const Formulation& plate, const Eigen::MatrixXd& own) {
+  if (!plate.distributed()) return own;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(own.rows(), own.cols());
+  for (const auto& text : texts_of_all(plate, text_of(std::vector<double>(own.data(), own.data() + own.size()))))
+    result += Eigen::Map<const Eigen::MatrixXd>(values_of<double>(text).data(), own.rows(), own.cols());
+  return result;
 }
 
 double lift_compliance(Eigen::MatrixXd& compliance) {
@@ -85,18 +81,41 @@ double lever_of(const FacePair& pair, const PointSections& sections) {
   return result / 2;
 }
 
-FaceRows::FaceRows(const Formulation& plate) : pairs_(plate.face_pairs()), arms_(Eigen::Index(pairs_.size())) {
-  for (Eigen::Index i = 0; i < arms_.size(); ++i) {
-    arms_[i] = lever_of(pairs_[std::size_t(i)], plate.sections());
+FaceRows::FaceRows(const Formulation& plate)
+    : plate_(plate), pairs_(plate.face_pairs()), arms_(Eigen::Index(pairs_.size())) {
+  for (Eigen::Index i = 0; i < arms_.size(); ++i) arms_[i] = -lever_of(pairs_[std::size_t(i)], plate.sections());
+  plate.communicator().largest({arms_.data(), pairs_.size()});
+  arms_ = -arms_;
+}
+
+Eigen::MatrixXd FaceRows::compliance(const Solutions& solutions) const {
+  constexpr std::size_t at_once = 32;  // as many states are held
+  const auto count = pairs_.size();
+  Eigen::MatrixXd result(count, count);
+  for (std::size_t first = 0; first < count; first += at_once) {
+    std::vector<Forces> loads;
+    for (auto i = first; i < std::min(count, first + at_once); ++i)
+      pairs_[i].press(1, loads.emplace_back(zero_forces(plate_.points())));
+    const auto states = solutions(loads);
+    for (std::size_t i = 0; i < states.size(); ++i)
+      for (std::size_t j = 0; j < count; ++j)
+        result(Eigen::Index(j), Eigen::Index(first + i)) = pairs_[j].opening(states[i]);
   }
+  result = sum_of_ranks(plate_, result);
+  return (result + result.transpose()) / 2;
 }
 
 Eigen::VectorXd FaceRows::openings(const State& bending, const State& membrane) const {
   const auto count = arms_.size();
-  Eigen::VectorXd result(2 * count);
+  Eigen::MatrixXd found(count, 2);  // of both states
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& pair = pairs_[std::size_t(i)];
-    const double slope = arms_[i] * pair.opening(bending), middle = pair.opening(membrane);
+    found(i, 0) = pair.opening(bending), found(i, 1) = pair.opening(membrane);
+  }
+  found = sum_of_ranks(plate_, found);
+  Eigen::VectorXd result(2 * count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double slope = arms_[i] * found(i, 0), middle = found(i, 1);
     result[i] = middle + slope, result[count + i] = middle - slope;
   }
   return result;
@@ -117,7 +136,7 @@ void FaceRows::press(const Eigen::VectorXd& forces, Forces& on_bending, Forces& 
 
 double FaceRows::error_of_openings(const State& bending, const State& membrane) const {
   constexpr double share = 1e-8;  // of the largest motion: errors of equilibria
-  return share * (largest_motion(membrane) + arms_.maxCoeff() * largest_motion(bending));
+  return share * (largest_motion(plate_, membrane) + arms_.maxCoeff() * largest_motion(plate_, bending));
 }
 
 std::vector<FaceContact> FaceRows::contacts(const Eigen::VectorXd& openings, const Eigen::VectorXd& forces) const {
@@ -137,14 +156,16 @@ std::vector<FaceContact> FaceRows::contacts(const Eigen::VectorXd& openings, con
 
 ContactOfFaces::ContactOfFaces(const Formulation& plate, const Formulation& membrane) : plate_(plate), rows_(plate) {
   if (rows_.pairs().empty()) return;
-  in_plane_ = pinned(membrane);
-  bent_ = std::make_unique<AssembledPlate>(plate, plate.constraints(), plate.stiffness());
-  flat_ = std::make_unique<AssembledPlate>(membrane, in_plane_, membrane.stiffness());
-  const auto compliance_of = [&](const AssembledPlate& one, std::size_t points) {
-    return compliance(rows_.pairs(), points, [&](const auto& loads) { return one.solve(loads); });
+  across_ = plate.constraints_about(), in_plane_ = pinned(membrane);
+  const auto factor_of = [](const Formulation& one, const Constraints& constraints) {
+    return std::make_unique<AssembledPlate>(one, constraints, one.stiffness(),
+                                            one.distributed() ? &one.boundary() : nullptr);
   };
-  const Eigen::MatrixXd of_bending = compliance_of(*bent_, plate.points()),
-                        of_plane = compliance_of(*flat_, membrane.points());
+  bent_ = factor_of(plate, across_), flat_ = factor_of(membrane, in_plane_);
+  const auto compliance_of = [&](const AssembledPlate& one) {
+    return rows_.compliance([&](const auto& loads) { return one.solve(loads); });
+  };
+  const Eigen::MatrixXd of_bending = compliance_of(*bent_), of_plane = compliance_of(*flat_);
   const auto& arm = rows_.arms();
   const Eigen::MatrixXd turned = arm.asDiagonal() * of_bending * arm.asDiagonal();
   compliance_.resize(2 * arm.size(), 2 * arm.size());

@@ -35,7 +35,7 @@ struct TouchingFaces {
 };
 
 /// Lever of the forces at the faces of the plate about its middle plane: half the thickness, where two thicknesses meet
-/// half the smaller one [length].
+/// half the smaller one [length]. Infinite on ranks that own no point of the pair.
 double lever_of(const FacePair& pair, const PointSections& sections);
 
 /// Equilibria of a plate and of the same plate in its plane without contact.
@@ -43,13 +43,24 @@ struct FreeFaces {
   const State &bending, &membrane;
 };
 
+/// Sums of what every rank adds, the same bits on each of them. Collective.
+Eigen::MatrixXd sum_of_ranks(const Formulation& plate, const Eigen::MatrixXd& own);
+
+/// States under several loads.
+using Solutions = std::function<std::vector<State>(const std::vector<Forces>& loads)>;
+
 /// Pairs of places on the faces of cracks at both faces of the plate. Rows: all pairs at z = h/2, then at z = -h/2.
+/// Every rank has all rows, their openings and forces; states and nodal forces are those of its points. Collective:
+/// every rank must call all member functions but press().
 class FaceRows {
 public:
+  /// The plate must outlive this.
   explicit FaceRows(const Formulation& plate);
 
   const std::vector<FacePair>& pairs() const { return pairs_; }
   const Eigen::VectorXd& arms() const { return arms_; }  // h/2 at the pairs [length]
+  /// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
+  Eigen::MatrixXd compliance(const Solutions& solutions) const;
   /// Openings of all rows [length].
   Eigen::VectorXd openings(const State& bending, const State& membrane) const;
   /// Adds the nodal forces of forces that press the rows apart. Pairs that are pressed evenly do not bend the plate.
@@ -59,22 +70,17 @@ public:
   std::vector<FaceContact> contacts(const Eigen::VectorXd& openings, const Eigen::VectorXd& forces) const;
 
 private:
+  const Formulation& plate_;
   std::vector<FacePair> pairs_;
   Eigen::VectorXd arms_;
 };
-
-/// States under several loads.
-using Solutions = std::function<std::vector<State>(const std::vector<Forces>& loads)>;
-
-/// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
-Eigen::MatrixXd compliance(const std::vector<FacePair>& pairs, std::size_t points, const Solutions& solutions);
 
 /// Gives what supports hold a compliance of rounding, which is returned: faces that cannot turn, or cannot move, share
 /// a force evenly.
 double lift_compliance(Eigen::MatrixXd& compliance);
 
 /// Contact of the faces of cracks of a linear plate. The factors and the compliance of the faces are found once, for
-/// all loads.
+/// all loads. Collective: every rank must call each member function.
 class ContactOfFaces {
 public:
   /// Both must outlive this.
@@ -94,7 +100,7 @@ public:
 private:
   const Formulation& plate_;
   FaceRows rows_;
-  Constraints in_plane_;
+  Constraints across_, in_plane_;
   std::unique_ptr<const AssembledPlate> bent_, flat_;  // null without cracks
   Eigen::MatrixXd compliance_;                         // of the rows
 };

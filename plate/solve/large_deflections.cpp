@@ -40,54 +40,101 @@ private:
   double length_;
 };
 
-/// Degrees of freedom that hold a piece in its plane as its supports do not.
-std::vector<Dof> pins_of(const std::vector<std::uint32_t>& points, const Formulation& membrane) {
-  constexpr double none = 1e-6;
+/// Products of the rigid motions with those that the constraints of owned points prevent, summed over all ranks.
+/// `here`: of the piece.
+Eigen::Matrix3d held_motions(const Formulation& membrane, const MotionsInPlane& rigid, const std::vector<char>& here) {
   const auto& positions = membrane.cloud().positions;
-  const auto& constraints = membrane.constraints();
-  geometry::Point centre(0, 0);
-  for (const auto k : points) centre += positions[k] / double(points.size());
-  double length = 0;
-  for (const auto k : points) length = std::max(length, (positions[k] - centre).norm());
-  const MotionsInPlane rigid(centre, length > 0 ? length : 1);
-  std::vector<char> here(positions.size(), 0);
-  for (const auto k : points) here[k] = 1;
-  Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
-  for (const auto& fixed : constraints.fixed())
-    if (here[fixed.point]) {
-      const auto row = rigid.row(fixed, positions[fixed.point]);
-      held += row * row.transpose();
-    }
-  const auto& ties = constraints.ties();
+  std::vector<Eigen::Vector3d> rows;
+  for (const auto& fixed : membrane.constraints().fixed())
+    if (here[fixed.point]) rows.push_back(rigid.row(fixed, positions[fixed.point]));
+  const auto& ties = membrane.constraints().ties();
   for (std::size_t i = 0; i < ties.size();) {
     const auto follower = ties[i].follower;
     Eigen::Vector3d row = rigid.row(follower, positions[follower.point]);
     for (; i < ties.size() && ties[i].follower == follower; ++i)
       row -= ties[i].factor * rigid.row(ties[i].leader, positions[ties[i].leader.point]);
-    if (here[follower.point]) held += row * row.transpose();
+    if (here[follower.point]) rows.push_back(row);
   }
+  const auto sums = sum_of_items<9>(membrane, rows.size(), [&](std::size_t i, const auto& add) {
+    for (Eigen::Index n = 0; n < 9; ++n) add(std::size_t(n), rows[i][n / 3] * rows[i][n % 3]);
+  });
+  return Eigen::Map<const Eigen::Matrix3d>(sums.data());
+}
+
+/// A degree of freedom that could be pinned. Between those that are alike the first in the order of the global plate is
+/// taken.
+struct Pin {
+  double moved;  // by the motion that it prevents
+  std::array<double, 2> place;
+  int rank;
+  Dof dof;
+  std::array<double, 3> row;  // MotionsInPlane
+};
+
+/// The best of the pins that every rank has found.
+std::optional<Pin> best_of_ranks(const Formulation& membrane, const std::optional<Pin>& own) {
+  constexpr double alike = 1 + 1e-9;
+  auto all = gathered(membrane, own ? std::vector{*own} : std::vector<Pin>());
+  if (all.empty()) return std::nullopt;
+  const double most = std::ranges::max_element(all, {}, &Pin::moved)->moved;
+  std::erase_if(all, [&](const Pin& pin) { return pin.moved * alike < most; });
+  return *std::ranges::min_element(all, {}, &Pin::place);
+}
+
+/// Degrees of freedom of this rank that hold a piece in its plane as its supports do not. `points`: owned ones.
+/// Collective.
+std::vector<Dof> pins_of(const std::vector<std::uint32_t>& points, const Formulation& membrane) {
+  constexpr double none = 1e-6;
+  const auto& positions = membrane.cloud().positions;
+  const auto& map = membrane.boundary().map;
+  const auto count = double(count_of_all(membrane, std::int64_t(points.size())));
+  const auto [x, y] = sum_of_items<2>(membrane, points.size(), [&](std::size_t i, const auto& add) {
+    for (const int axis : {0, 1}) add(std::size_t(axis), positions[points[i]][axis] / count);
+  });
+  const geometry::Point centre(x, y);
+  double length = 0;
+  for (const auto k : points) length = std::max(length, (positions[k] - centre).norm());
+  length = largest_of(membrane, length);
+  const MotionsInPlane rigid(centre, length > 0 ? length : 1);
+  std::vector<char> here(positions.size(), 0);
+  for (const auto k : points) here[k] = 1;
+  Eigen::Matrix3d held = held_motions(membrane, rigid, here);
   std::vector<Dof> result;
-  for (;;) {
+  for (int pins = 0;; ++pins) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> motions(held);
-    if (result.size() == 3 || motions.eigenvalues()[0] > none) return result;
+    if (pins == 3 || motions.eigenvalues()[0] > none) return result;
     const Eigen::Vector3d motion = motions.eigenvectors().col(0);
-    Dof best{};
-    double most = 0;
+    std::optional<Pin> own;
     for (const auto k : points)
       for (const int component : {1, 2}) {
         const auto one = dof(k, component);
-        const double moved = std::abs(rigid.row(one, positions[k]).dot(motion));
-        if (moved > most * (1 + 1e-9) && !constraints.held(one)) best = one, most = moved;
+        const Eigen::Vector3d row = rigid.row(one, positions[k]);
+        const double moved = std::abs(row.dot(motion)), most = own ? own->moved : 0;
+        if (!(moved > most * (1 + 1e-9)) || membrane.constraints().held(one)) continue;
+        const auto& at = membrane.boundary().lattice[k];
+        own = {.moved = moved,
+               .place = map.global.empty() ? std::array{at.y(), at.x()} : std::array{double(map.global[k]), 0.0},
+               .rank = map.rank(),
+               .dof = one,
+               .row = {row[0], row[1], row[2]}};
       }
-    if (most == 0) return result;
-    const auto row = rigid.row(best, positions[best.point]);
-    held += row * row.transpose(), result.push_back(best);
+    const auto best = best_of_ranks(membrane, own);
+    if (!best) return result;
+    const auto row = Eigen::Map<const Eigen::Vector3d>(best->row.data());
+    held += row * row.transpose();
+    if (best->rank == map.rank()) result.push_back(best->dof);
   }
 }
 
-/// Pins of all pieces.
+/// Pins of all pieces that this rank owns.
 std::vector<Dof> pins_of(const Formulation& membrane) {
   if (membrane.held()) return {};
+  if (membrane.distributed()) {  // of one piece: others that nothing holds are refused
+    std::vector<std::uint32_t> owned;
+    for (std::uint32_t k = 0; k < membrane.points(); ++k)
+      if (membrane.boundary().owns(k) && membrane.families()[k].size() > 0) owned.push_back(k);
+    return pins_of(owned, membrane);
+  }
   DisjointSets sets(membrane.points());
   for (std::uint32_t k = 0; k < membrane.points(); ++k)
     for (const auto& bond : membrane.families()[k]) sets.join(k, bond.neighbour);
@@ -205,12 +252,7 @@ PointMatrix with_first(const PointMatrix& of_first, const PointMatrix& of_all) {
 }
 
 Constraints pinned(const Formulation& membrane) {
-  if (membrane.distributed()) return membrane.constraints_about();
-  Constraints result;
-  result.add(membrane.constraints(), 0);
-  for (const auto& pin : pins_of(membrane)) result.fix(pin);
-  result.resolve();
-  return result;
+  return membrane.constraints_about().fixing(pins_of(membrane));
 }
 
 PointMatrix Formulation::stiffness() const {
@@ -320,12 +362,11 @@ StretchedPlate::StretchedPlate(const Formulation& plate, const Formulation& memb
       stacked(plate.distributed() ? plate.constraints_about() : plate.constraints(), plane_.constraints(), points);
   if (plate.distributed()) {
     unknowns_ = owned_unknowns(plate.boundary(), 2 * plate.points());
-    return;
+  } else {  // the unknowns of a point and of the same point in its plane stand together
+    std::vector<int> both;
+    for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
+    unknowns_ = unknowns(stacked(diagonal_, plane_.diagonal()), both);
   }
-  // the unknowns of a point and of the same point in its plane stand together
-  std::vector<int> both;
-  for (const int k : plane_.order()) both.push_back(k), both.push_back(int(points) + k);
-  unknowns_ = unknowns(stacked(diagonal_, plane_.diagonal()), both);
   if (!plate.problem().faces_touch()) return;
   contact_ = std::make_unique<StretchedContact>(plate, plane_);
   if (contact_->rows().pairs().empty()) contact_.reset();

@@ -63,8 +63,8 @@ struct LargeDeflections {
   bool snapped() const;
 };
 
-/// Constraints of a plate in its plane, with pins that hold the rigid motions which no support prevents. Of a
-/// distributed plate, which supports hold, those of constraints_about().
+/// Constraints of a plate in its plane, of Formulation::constraints_about(), with pins that hold the rigid motions
+/// which no support prevents; of a distributed plate where it is one piece. Collective.
 Constraints pinned(const Formulation& membrane);
 
 /// The sum of a matrix and one of its first points.

@@ -272,7 +272,8 @@ plate::Forces forces_on(const plate::Formulation& plate, const plate::State& sta
 
 /// Factor of the products of pairs, by which forces on their points follow from those that press the pairs apart: the
 /// same for all jumps of a straight crack.
-Eigen::LDLT<Eigen::MatrixXd> products_of(const std::vector<std::pair<double, plate::FacePair>>& pairs) {
+Eigen::LDLT<Eigen::MatrixXd> products_of(const plate::Formulation& plate,
+                                         const std::vector<std::pair<double, plate::FacePair>>& pairs) {
   struct Row {
     Eigen::Index pair;
     geometry::Point share;
@@ -287,22 +288,23 @@ Eigen::LDLT<Eigen::MatrixXd> products_of(const std::vector<std::pair<double, pla
   for (const auto& [point, rows] : at)
     for (const auto& one : rows)
       for (const auto& other : rows) result(one.pair, other.pair) += one.share.dot(other.share);
-  return result.ldlt();
+  return plate::sum_of_ranks(plate, result).ldlt();
 }
 
-/// Pairs of places on the straight part of a crack behind its tip, the nearest first. `tied`: by springs, which resist
-/// all jumps; faces that touch press on their opening alone.
+/// Pairs of places on the straight part of a crack behind its tip, the nearest first. Springs resist all jumps; faces
+/// that touch press on their opening alone. Collective: every rank must call each member function.
 class FacesBehind {
 public:
-  FacesBehind(const std::vector<plate::FacePair>& pairs, const geometry::Tip& tip, bool tied)
-      : acts_(tied ? 1 : 0, 1, tied ? 1 : 0) {
+  FacesBehind(const plate::Formulation& plate, const std::vector<plate::FacePair>& pairs, const geometry::Tip& tip)
+      : plate_(plate) {
+    if (plate.problem().ties_faces()) acts_.setOnes();
     for (const auto& pair : pairs) {
       const geometry::Point x = pair.position - tip.position;
       const double behind = -tip.direction.dot(x);
       if (behind > 0 && behind > (1 - 1e-6) * x.norm()) pairs_.push_back({behind, pair});
     }
     std::ranges::sort(pairs_, {}, &std::pair<double, plate::FacePair>::first);
-    if (!pairs_.empty()) products_ = products_of(pairs_);
+    if (!pairs_.empty()) products_ = products_of(plate, pairs_);
   }
 
   /// Force that presses the faces apart at the tip, along the crack: by the line that fits the forces of the nearest
@@ -324,19 +326,20 @@ public:
   /// minus, at every point [force]: a difference of jumps, as gradients at the points are means over the field
   /// about them.
   Eigen::VectorXd take(const plate::State& state, plate::Forces& force) const {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(force.cols());
-    const auto pressing = this->pressing(force);
+    plate::Forces works = plate::zero_like(force);  // in the first row
+    const Eigen::MatrixX3d pressing = this->pressing(force), jumps = this->jumps(state);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto& pair = pairs_[i].second;
       const Eigen::Vector3d own = pressing.row(Eigen::Index(i)).transpose();
       pair.press(own, force);
       if (i + 1 == pairs_.size()) continue;  // the mouth, or the other tip: far outside of rings
-      const auto [before, jumps] = i == 0 ? std::pair(0.0, Eigen::Vector3d(0, 0, 0)) : at(i - 1, state);
-      const auto [after, wider] = at(i + 1, state);
-      for (const auto& [point, weight] : pair.left)
-        result[point] += weight * own.dot(wider - jumps) / (after - before);  // jumps grow backwards
+      const double before = i == 0 ? 0 : pairs_[i - 1].first, after = pairs_[i + 1].first;
+      const Eigen::RowVector3d less = i == 0 ? Eigen::RowVector3d(0, 0, 0) : jumps.row(Eigen::Index(i) - 1);
+      const double work = own.dot((jumps.row(Eigen::Index(i) + 1) - less).transpose()) / (after - before);
+      for (const auto& [point, weight] : pair.left) works(0, point) += weight * work;  // jumps grow backwards
     }
-    return result;
+    plate_.constraints().fetch(force), plate_.constraints().fetch(works);
+    return works.row(0).transpose();
   }
 
 private:
@@ -344,18 +347,18 @@ private:
 
   /// Forces that part the pairs, by internal forces, which are minus those from outside [pairs x 3].
   Eigen::MatrixX3d pressing(const plate::Forces& force) const {
-    Eigen::MatrixX3d result(Eigen::Index(pairs_.size()), 3);
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      result.row(Eigen::Index(i)) = -acts_.cwiseProduct(pairs_[i].second.jumps(force)).transpose();
+    const Eigen::MatrixX3d result = -(jumps(force) * acts_.asDiagonal());
     return pairs_.empty() ? result : Eigen::MatrixX3d(products_.solve(result));
   }
-  /// Distance from the tip and jumps of a pair.
-  std::pair<double, Eigen::Vector3d> at(std::size_t i, const plate::State& state) const {
-    return {pairs_[i].first, pairs_[i].second.jumps(state)};
+  Eigen::MatrixX3d jumps(const plate::State& state) const {
+    Eigen::MatrixXd result(Eigen::Index(pairs_.size()), 3);
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      result.row(Eigen::Index(i)) = pairs_[i].second.jumps(state).transpose();
+    return plate::sum_of_ranks(plate_, result);
   }
 
-  Eigen::Vector3d acts_;  // 1 for the jumps that forces act on
-
+  const plate::Formulation& plate_;
+  Eigen::Vector3d acts_{0, 1, 0};                          // 1 for the jumps that forces act on
   std::vector<std::pair<double, plate::FacePair>> pairs_;  // with their distances from the tip
   Eigen::LDLT<Eigen::MatrixXd> products_;
 };
@@ -405,14 +408,13 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   if (pressed) {  // each tip needs forces of a state of its own, which all threads find together
     const auto pairs = plate.face_pairs();
     for (std::size_t tip = 0; tip < methods.size(); ++tip) {
-      if (!methods[tip].here()) continue;
       const auto& at = plate.tips()[tip];
-      const FacesBehind faces(pairs, at, plate.problem().ties_faces());
+      const FacesBehind faces(plate, pairs, at);
       const double near = std::min(clear_distance(plate.problem(), plate.paths(), at) / 4, 2 * plate.section().layer());
       const auto rest = eased(plate, at, state, faces.pressure(force, near));
       auto of_rest = forces(rest);
       const auto on_faces = faces.take(rest, of_rest);
-      by_tip[tip] = of_tip(tip, rest, of_rest, &on_faces);
+      if (methods[tip].here()) by_tip[tip] = of_tip(tip, rest, of_rest, &on_faces);
     }
   } else {
 #pragma omp parallel for schedule(dynamic)
