@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "geometry/cells/tessellation.hpp"
@@ -23,7 +21,6 @@
 #include "plate/galerkin/stretched_stiffeners.hpp"
 #include "plate/galerkin/stretching.hpp"
 #include "plate/model/communicator.hpp"
-#include "plate/model/errors.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/process.hpp"
