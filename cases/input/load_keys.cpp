@@ -185,6 +185,7 @@ using plate::LineLoad;
 using plate::Load;
 using plate::PointForce;
 using plate::Pressure;
+using plate::Push;
 using plate::Settlement;
 using plate::Support;
 using plate::SupportKind;
@@ -208,6 +209,8 @@ const Words<InPlane> in_plane_words{{{"free", InPlane::free},
                                      {"tangential", InPlane::tangential},
                                      {"x", InPlane::x},
                                      {"y", InPlane::y}}};
+
+const Words<Push> push_words{{{"up", Push::up}, {"down", Push::down}}};
 
 Words<Load::Action> load_kinds() {
   Words<Load::Action> result;
@@ -435,6 +438,9 @@ Fields<Support> support_fields() {
                                     return s.kind == pinned || s.kind == clamped || s.kind == in_plane;
                                   }};
   const Condition<Support> hub{"kind", "kind = hub", [](const Support& s) { return s.kind == SupportKind::hub; }};
+  const Condition<Support> holds_w_alone{
+      "kind", "kind = simply_supported or pinned",
+      [](const Support& s) { return s.kind == SupportKind::simply_supported || s.kind == SupportKind::pinned; }};
   const Condition<Support> part{"kind", "kind = pinned, clamped, in_plane or hub",
                                 [inside, hub](const Support& s) { return inside.holds(s) || hub.holds(s); }};
   return {
@@ -462,6 +468,15 @@ Fields<Support> support_fields() {
             if (const auto text = given.text()) support.in_plane = in_plane_words.find(given, *text);
           },
           [](const Support& s) { return s.in_plane ? quoted(in_plane_words.name(*s.in_plane)) : ""; }),
+      value<Support>(
+          {"pushes", "-", "one of " + push_words.text(), "",
+           "the plate may lift off: the support stands below and pushes along w (\"up\"), or above (\"down\"); absent "
+           "holds both ways"},
+          [](const Value& given, Support& support) {
+            if (const auto text = given.text()) support.push = push_words.find(given, *text).value_or(support.push);
+          },
+          [](const Support& s) { return s.push == Push::both_ways ? "" : quoted(push_words.name(s.push)); })
+          .with(holds_w_alone),
   };
 }
 

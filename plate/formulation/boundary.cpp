@@ -60,7 +60,13 @@ std::vector<Holder> holders_of(const std::vector<Support>& supports) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const auto& support = supports[i];
     const auto add = [&](const std::string& name, const std::optional<Point>& position, Holder::Place place) {
-      if (!support.holds_nothing()) holders.push_back({name, support.kind, position, place, i});
+      if (!support.holds_nothing())
+        holders.push_back({.name = name,
+                           .kind = support.kind,
+                           .position = position,
+                           .place = place,
+                           .push = support.push,
+                           .support = i});
     };
     for (const auto& name : support.edges)
       if (holder(holders, name) == holders.size()) add(name, std::nullopt, edge);

@@ -51,6 +51,7 @@ struct Holder {
   SupportKind kind = SupportKind::free;
   std::optional<geometry::Point> position;  // of a point or the centre of a hub [length]
   Place place = Place::edge;
+  Push push = Push::both_ways;
   std::size_t support = 0;  // its number
 };
 

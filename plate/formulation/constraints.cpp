@@ -142,6 +142,11 @@ State Constraints::lift(std::size_t motion, std::size_t points) const {
   return result;
 }
 
+std::vector<Constraints::Leader> Constraints::lifted(std::size_t motion) const {
+  const auto found = lifts_.find(motion);
+  return found == lifts_.end() ? std::vector<Leader>() : found->second;
+}
+
 bool Constraints::held(const Dof& dof) const {
   return std::binary_search(held_.begin(), held_.end(), dof);
 }

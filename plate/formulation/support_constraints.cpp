@@ -36,7 +36,15 @@ SupportOffsets::Offsets SupportOffsets::of(const Dof& dof, const Side& side, con
     for (const auto& [leader, factor] : leaders) offset -= factor * value(leader);
     result.push_back({motion.load, offset});
   }
+  double of_gap = 1;
+  for (const auto& leader : leaders) of_gap -= is_deflection(leader.dof) ? leader.factor : 0;
+  if (side.kind == SupportKind::simply_supported) add_gap(holder(boundary_->holders, side.name), dof, of_gap, result);
   return result;
+}
+
+void SupportOffsets::add_gap(std::uint32_t holder, const Dof& dof, double value, Offsets& offsets) const {
+  if (boundary_->holders[holder].push != Push::both_ways && is_deflection(dof))
+    offsets.push_back({gap(dof.point), value});
 }
 
 SupportOffsets::Offsets SupportOffsets::of_corner(std::uint32_t image, std::uint32_t point, std::uint32_t component,
@@ -140,8 +148,11 @@ std::vector<std::uint32_t> held_at_point(SupportKind kind) {
 void hold_point(Boundary& boundary, std::uint32_t point, std::uint32_t holder, const SupportOffsets& moved) {
   const auto& by = boundary.holders[holder];
   const auto held = held_at_point(by.kind);
-  for (const auto c : held)
-    boundary.constraints.fix(dof(point, c), moved.inside(by.support, boundary.cloud.positions[point], c));
+  for (const auto c : held) {
+    auto offsets = moved.inside(by.support, boundary.cloud.positions[point], c);
+    moved.add_gap(holder, dof(point, c), 1, offsets);
+    boundary.constraints.fix(dof(point, c), std::move(offsets));
+  }
   boundary.holds.push_back({point, holder, false});
   if (held.size() > 1) boundary.holds.push_back({point, holder, true});
 }
@@ -153,8 +164,9 @@ void hold_place(Boundary& boundary, std::uint32_t k, const Point& at, std::uint3
   const auto& by = boundary.holders[holder];
   if (held_at_point(by.kind).size() > 1 || lever.norm() < nothing * boundary.cloud.units.spacing)
     return hold_point(boundary, k, holder, moved);
-  boundary.constraints.tie(dof(k, 0), {{dof(k, 1), -lever.y()}, {dof(k, 2), lever.x()}},
-                           moved.inside(by.support, at, 0));
+  auto offsets = moved.inside(by.support, at, 0);
+  moved.add_gap(holder, dof(k, 0), 1, offsets);
+  boundary.constraints.tie(dof(k, 0), {{dof(k, 1), -lever.y()}, {dof(k, 2), lever.x()}}, std::move(offsets));
   boundary.holds.push_back({k, holder, false});
 }
 

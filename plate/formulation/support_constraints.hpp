@@ -22,6 +22,12 @@ public:
   SupportOffsets(const Boundary& boundary, const std::vector<SupportMotion>& motions)
       : boundary_(&boundary), motions_(motions) {}
 
+  /// Number of the motion by which a point leaves a support that only pushes: behind those of all settlements.
+  static constexpr std::size_t gap(std::uint32_t point) { return (std::size_t(1) << 32) + point; }
+  /// Adds the offset by which a unit gap at its point moves a deflection that this holder holds; none of rotations, and
+  /// of holders that pull too.
+  void add_gap(std::uint32_t holder, const Dof& dof, double value, Offsets& offsets) const;
+
   /// Offsets of a degree of freedom that a side holds by these leaders.
   Offsets of(const Dof& dof, const Side& side, const Leaders& leaders) const;
   /// Offsets at a corner: of the image in `second` of the image in `first` of a point, with the signs by which each

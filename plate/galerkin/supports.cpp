@@ -156,7 +156,10 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
     Holding holding{who.kind, by, {along.y(), -along.x()}, round.contains(who.name), {}};
     for (const auto& motion : motions)
       if (motion.settlement.support == who.support) holding.motions.push_back(&motion);
-    for (const auto k : {border.from, border.to}) hold(held[k], holding, cells.positions[k]);
+    for (const auto k : {border.from, border.to}) {
+      hold(held[k], holding, cells.positions[k]);
+      if (who.push != Push::both_ways) held[k].of_w[SupportOffsets::gap(k)] = 1;
+    }
   }
   for (const auto& [k, what] : held) {
     impose(result.constraints, k, what);

@@ -40,7 +40,7 @@ std::vector<std::string> warnings_about_axial_stiffness(const Problem& problem) 
 
 Problem membrane_of(Problem problem) {
   problem.section.law = PlateLaw::membrane;
-  for (auto& support : problem.supports) support.kind = kind_in_plane(support);
+  for (auto& support : problem.supports) support.kind = kind_in_plane(support), support.push = Push::both_ways;
   for (auto& load : problem.loads)
     if (auto* heat = load.as<Temperature>(); heat && problem.section.couples())
       std::swap(heat->value, heat->mean), std::swap(heat->formula, heat->mean_formula);

@@ -68,6 +68,10 @@ struct Problem {
   bool unilateral() const {
     return std::ranges::any_of(foundations, [](const Foundation& one) { return one.unilateral; });
   }
+  /// True where there is a support that only pushes.
+  bool pushed() const {
+    return std::ranges::any_of(supports, [](const Support& one) { return one.push != Push::both_ways; });
+  }
   bool faces_touch() const { return faces && faces->contact; }
   /// True where bending and stretching act on each other in linear theory.
   bool coupled() const {

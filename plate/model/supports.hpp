@@ -30,6 +30,10 @@ enum class SupportKind {
 /// lines and parts that along an axis.
 enum class InPlane { free, fixed, normal, tangential, x, y };
 
+/// Direction along w in which a support can push the plate: up of one that stands below it, down of one above. Both
+/// ways: it holds w.
+enum class Push { both_ways = 0, up = 1, down = -1 };
+
 /// A support of named edges; or within the plate, pinned (w) or clamped (w and rotations), of single points, of a line
 /// or of a part. One of the four is given. A hub is of round holes, each of them a disc, or of one circle of the plate.
 struct Support {
@@ -41,6 +45,7 @@ struct Support {
   std::optional<InPlane> in_plane = {};
   std::optional<double> k_w = {};    // of a hub against w of its centre [force/length]; absent: rigid
   std::optional<double> k_phi = {};  // of a hub against its turn [force length/rad]; absent: it does not turn
+  Push push = Push::both_ways;       // of what holds w alone: simply_supported, pinned
 
   /// Displacements that it holds in the plane: without a word a symmetry the normal displacement, the kind in_plane
   /// both, others none.

@@ -10,6 +10,7 @@
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
 #include "plate/solve/factorised_plate.hpp"
@@ -17,6 +18,7 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/plate_in_contact.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
+#include "plate/solve/pushing_supports.hpp"
 
 namespace plate {
 namespace {
@@ -271,6 +273,7 @@ std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate) {
 
 StaticSolver::StaticSolver(const Formulation& plate, StaticMethod method, Preconditioning wanted)
     : plate_(&plate), method_(method) {
+  if (plate.problem().pushed()) pushing_ = std::make_unique<PushingSupports>(plate);
   if (method == StaticMethod::direct) inverse_ = plate.factor();
   if (method != StaticMethod::cg) return;
   auto [inverse, name] = plate.preconditioner(wanted);
@@ -408,8 +411,17 @@ StaticResult StaticSolver::lifted(const Operator& plate, const Forces& load, con
   return result;
 }
 
+/// Points that have left their support move with it as if it had moved: they bear nothing where the gap is.
+StaticResult StaticSolver::pushed(const Forces& load, const StaticOptions& options, const State& lift) {
+  const auto found = (*pushing_)(load, lift);
+  auto result = lifted(*plate_, load, options, false, lift.cols() > 0 ? State(found.lift + lift) : found.lift);
+  result.lifted = found.lifted;
+  return result;
+}
+
 StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& options, bool again, const State& lift) {
   if (plate_->boundary().elastic_supports.unilateral()) return in_contact(load, options, lift);
+  if (pushing_) return pushed(load, options, lift);
   const auto [rigid, rest] = split_lift(*plate_, lift);
   auto result = lifted(*plate_, load, options, again, rest);
   if (rigid.cols() > 0) result.strained = result.solution.state, result.solution.state += rigid;

@@ -7,6 +7,7 @@
 
 #include "plate/formulation/operator.hpp"
 #include "plate/model/numerical_method.hpp"
+#include "plate/solve/pushing_supports.hpp"
 
 namespace plate {
 
@@ -63,6 +64,7 @@ struct StaticResult {
   /// The state less a motion of the whole plate with its supports, as one rigid body: what strains it, to more digits
   /// than the state has. Without columns where it is the state.
   State strained = no_state();
+  std::optional<LiftedSupports> lifted = {};  // where supports only push
   const State& what_strains() const { return strained.cols() > 0 ? strained : solution.state; }
 };
 
@@ -83,7 +85,8 @@ std::unique_ptr<Preconditioner> inverse_of(const Formulation& plate);
 
 /// Equilibria of one plate, which must outlive this, under one load after the other: the factor or the preconditioner
 /// is made once, and conjugate gradients begin at that sum of their earlier solutions whose energy is least. With
-/// unilateral foundations, plates with given contact are solved until the contact is what is pressed.
+/// unilateral foundations, plates with given contact are solved until the contact is what is pressed. The gaps of
+/// supports that only push are found first, and then prescribed.
 class StaticSolver {
 public:
   StaticSolver(const Formulation& plate, StaticMethod method, Preconditioning wanted);
@@ -104,10 +107,12 @@ private:
   StaticResult lifted(const Operator& plate, const Forces& load, const StaticOptions& options, bool again,
                       const State& lift, const State* start = nullptr);
   StaticResult in_contact(const Forces& load, const StaticOptions& options, const State& lift);
+  StaticResult pushed(const Forces& load, const StaticOptions& options, const State& lift);
 
   const Formulation* plate_;
   StaticMethod method_;
   std::unique_ptr<Preconditioner> inverse_;
+  std::unique_ptr<PushingSupports> pushing_;  // null where all supports hold
   std::optional<std::string> name_;
   std::vector<State> states_;
   std::vector<Forces> forces_;  // internal, folded, of every state

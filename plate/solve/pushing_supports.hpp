@@ -1,0 +1,58 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "plate/model/state.hpp"
+
+namespace plate {
+
+class AssembledPlate;
+class Formulation;
+
+/// What has lifted off of the supports that only push, of a plate at rest.
+struct LiftedSupports {
+  double share = 0;        // of their points
+  double largest_gap = 0;  // [length]
+};
+
+/// Supports that only push under a plate at rest. Each of their points touches and is pushed, or is free and has a gap
+/// (theory.md, "Supports that only push"). The factor of the plate with all points in contact is made once, and a
+/// column of the stiffness against gaps for each point that opens under any load.
+class PushingSupports {
+public:
+  /// Gaps as prescribed displacements: the Dirichlet lift of all of them [3 x points].
+  struct Gaps {
+    State lift;
+    LiftedSupports lifted;
+  };
+
+  /// `plate` must outlive this.
+  /// @throws NumericalError  where the factor of the stiffness fails
+  explicit PushingSupports(const Formulation& plate);
+  ~PushingSupports();
+
+  /// Finds the gaps under a load. `settled`: Dirichlet lift of supports that have moved; without columns none.
+  /// @throws NumericalError  where no equilibrium is left
+  Gaps operator()(const Forces& load, const State& settled);
+
+private:
+  /// A point that such a support holds, and what a gap of length 1 moves beside it.
+  struct Row {
+    std::uint32_t point;
+    double direction;  // in which it is pushed: 1 along w, -1 against it
+  };
+  State lift(std::size_t row) const;
+  State held(const Forces& load, const State& settled) const;
+  Eigen::VectorXd reactions(const Forces& forces) const;
+  void add_columns(const std::vector<Eigen::Index>& rows);
+  Eigen::VectorXd gaps(const std::vector<Eigen::Index>& open, const Eigen::VectorXd& reactions) const;
+
+  const Formulation& plate_;
+  std::unique_ptr<const AssembledPlate> factor_;
+  std::vector<Row> rows_;
+  std::vector<Eigen::VectorXd> columns_;  // of every row: reactions of all by a unit gap; empty until it opens
+};
+
+}  // namespace plate
