@@ -36,6 +36,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
       load.history.kind = plate::History::Kind::ramp, load.history.rise_time = c.analysis.duration;  // none jumps
   }
   for (auto& soil : c.foundations) soil.unilateral = false;  // few and wide points may tip where the plate does not
+  for (auto& support : c.supports) support.push = plate::Push::both_ways;
   c.output.history_every = c.analysis.duration / std::clamp(reduced.steps / 8, 1.0, 8.0);
   c.output.every.reset(), c.output.probes.clear(), c.output.lines.clear(), c.output.errors = false;
   if (!reduced.factors) c.srif.reset();

@@ -36,6 +36,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {touching_in_motion, "`cracks.contact` of a motion"},
     {buckling, "`analysis.kind = \"buckling\"`"},
     {unilateral_foundation, "soil that lifts off (`lifts_off`)"},
+    {pushing_supports, "supports that only push (`pushes`)"},
     {temperature, "a load of kind `\"temperature\"`"},
     {mean_temperature, "`mean` of a load of kind `\"temperature\"`, or one of plies that are not symmetric"},
     {load_cases, "`[[case]]`"},
@@ -111,6 +112,7 @@ constexpr const char* of_uncoupled =
     "spring[].depth";
 constexpr const char* layer_kinds = "support[].kind";
 constexpr const char* hub_springs = "support[].k_w";
+constexpr const char* support_pushes = "support[].pushes";
 constexpr const char* hub_inertia =
     "the mass of a hub that moves along w is not carried in motion yet: remove k_w (its centre rests)";
 
@@ -156,6 +158,32 @@ const std::vector<Exclusion> excluded_pairs{
      "lifts_off"},
     {unilateral_foundation, combinations, "combination",
      "each load case touches other soil, so that load cases do not add up: give their sum a [[case]] of its own"},
+    {pushing_supports, motion, support_pushes,
+     "supports that only push are found at rest, not in motion yet: remove it, or choose kind = \"static\""},
+    {pushing_supports, frequencies, support_pushes,
+     "a plate that may lift off is not linear and has no frequencies: remove it"},
+    {pushing_supports, harmonic, support_pushes,
+     "a plate that may lift off is not linear and has no harmonic response: remove it"},
+    {pushing_supports, buckling, support_pushes,
+     "a plate that may lift off has no loads at which it buckles at once: remove it"},
+    {pushing_supports, growth, support_pushes,
+     "the loads at which cracks grow are found for linear plates, and a plate that may lift off is none: remove it"},
+    {pushing_supports, combinations, "combination",
+     "in each load case other supports touch, so that load cases do not add up: give their sum a [[case]] of its own"},
+    {pushing_supports, large_deflections, support_pushes,
+     "supports that only push are not found with large deflections yet: remove it, or analysis.nonlinear"},
+    {pushing_supports, touching_faces, support_pushes,
+     "contact of faces and of supports are not found together yet: remove it, or cracks.contact"},
+    {pushing_supports, unilateral_foundation, support_pushes,
+     "contact of soil and of supports are not found together yet: remove it, or lifts_off"},
+    {pushing_supports, coupled_section, support_pushes,
+     "supports that only push are not found beside coupled bending and stretching yet: remove it, make plies "
+     "symmetric, or remove stiffener[].eccentricity"},
+    {pushing_supports, factors_to_accuracy, "srif.accuracy",
+     "goes by error estimates that were measured on supports that hold both ways: remove it, and state the spacing"},
+    {pushing_supports, nodes_on_edges, "discretization.boundary",
+     "points leave supports with \"images\" alone: choose it, or remove pushes"},
+    {pushing_supports, processes, support_pushes, by_one_process("supports that only push cannot be found")},
     {equilibrium_start, initial_deflection, "initial.deflection",
      "is given beside start = \"equilibrium\", which is another deflection: remove one"},
     {growth, stiffness_damping, "analysis.damping",
@@ -370,6 +398,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(content.faces_touch() && moves, touching_in_motion);
   add(a.kind == Kind::buckling, buckling);
   add(content.unilateral(), unilateral_foundation);
+  add(content.pushed(), pushing_supports);
   add(any_load([](const auto& load) { return load.template as<plate::Temperature>() != nullptr; }), temperature);
   const bool couples = content.section.couples();  // heat across the plate then acts in its plane
   add(any_load(
@@ -415,6 +444,8 @@ std::vector<std::string> keys_of(const Exclusion& exclusion, const Case& content
       result.push_back(fmt::format("support[{}].kind", i));
   for (std::size_t i = 0; exclusion.key == hub_springs && i < content.supports.size(); ++i)
     if (content.supports[i].k_w) result.push_back(fmt::format("support[{}].k_w", i));
+  for (std::size_t i = 0; exclusion.key == support_pushes && i < content.supports.size(); ++i)
+    if (content.supports[i].push != plate::Push::both_ways) result.push_back(fmt::format("support[{}].pushes", i));
   return result.empty() ? std::vector{exclusion.key} : result;
 }
 

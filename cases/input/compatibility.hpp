@@ -34,6 +34,7 @@ enum class Part {
   touching_in_motion,
   buckling,
   unilateral_foundation,
+  pushing_supports,
   temperature,
   mean_temperature,
   load_cases,
@@ -67,7 +68,7 @@ enum class Part {
 /// Two parts that do not go together, the key that is to change, and the reason, as a message says it.
 struct Exclusion {
   Part one, other;
-  std::string key;  // of settlements "load[].kind", of layers and hubs "support[].kind" or "support[].k_w"
+  std::string key;  // of settlements "load[].kind", of supports "support[].kind", "support[].k_w" or "support[].pushes"
   std::string reason;
 };
 

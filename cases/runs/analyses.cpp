@@ -108,7 +108,7 @@ void SinglePlate::solve_static() {
   summary.linear_theory_off = linear_theory_off(plate_, solution.state, ready_.membrane.get());
   stopwatch().lap("solve");
 
-  summary.analysis.preconditioner = result.preconditioner;
+  summary.analysis.preconditioner = result.preconditioner, summary.lifted = result.lifted;
   if (result.factor_bytes > 0)
     summary.scene.push_back({"factor", "", double(result.factor_bytes) / double(plate_.cloud().plate_points), 0});
   post::describe(summary.analysis, result.method, solution, analysis_.tolerance);

@@ -234,7 +234,10 @@ std::string of_solution(const RunEstimate& run, const Case& c) {
                        run.costs.iterations);
   if (c.analysis.kind != Analysis::Kind::static_)
     return fmt::format("solution      Lanczos vectors, about {:.0f}\n", run.costs.iterations);
-  const char* each = c.growth ? " an advance" : c.unilateral() ? " for each try of what soil touches" : "";
+  const char* each = c.growth         ? " an advance"
+                     : c.unilateral() ? " for each try of what soil touches"
+                     : c.pushed()     ? ", and a solution for each point that lifts off"
+                                      : "";
   return fmt::format("solution      {}, about {:.0f} iterations{}\n", run.solver.words,
                      std::max(1.0, run.costs.iterations), each);
 }

@@ -514,6 +514,7 @@ void LoadCases::solve() {
     if (ready_.membrane) now.in_plane = solved_in_plane(i, in_plane), stopwatch().lap("solve");
     if (!problem.combinations.empty()) cases.push_back(now);
     post::LoadCaseSummary one{name, {}, solution.iterations, solution.residual};
+    one.lifted = result.lifted;
     touch(one, now);
     look(std::move(one), now, solution.iterations);
     stopwatch().lap("srif");

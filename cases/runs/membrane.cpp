@@ -383,7 +383,8 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   constexpr double some = 2500, many = 20000;  // points: a plate of more takes no factor, but fewer points for this
   const auto& problem = plate.problem();
   if (!plate.offers(plate::Feature::stretching) || plate.distributed()) return std::nullopt;
-  if (problem.unilateral() || problem.faces_touch() || plate::has_prescribed_displacements(plate)) return std::nullopt;
+  if (problem.unilateral() || problem.pushed() || problem.faces_touch()) return std::nullopt;
+  if (plate::has_prescribed_displacements(plate)) return std::nullopt;
   if (problem.coupled() || std::ranges::any_of(problem.stiffeners, &plate::Stiffener::stretches)) return std::nullopt;
   const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
   const bool loaded = plate::loaded_in_plane(problem);  // small deflections may be those beside a buckling load

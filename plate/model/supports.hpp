@@ -75,6 +75,12 @@ Held held_by(SupportKind kind);
 /// Likewise of the displacements in the plane.
 Held held_in_plane(InPlane in_plane);
 
+/// What a plate at rest has lifted off of the supports that only push.
+struct LiftedSupports {
+  double share = 0;        // of their points
+  double largest_gap = 0;  // [length]
+};
+
 /// Elastic foundation of a plate: soil that answers the deflection w with the pressure -k w + G_p laplace(w) (Winkler
 /// 1867; Pasternak 1954).
 struct Foundation {

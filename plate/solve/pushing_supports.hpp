@@ -5,17 +5,12 @@
 #include <vector>
 
 #include "plate/model/state.hpp"
+#include "plate/model/supports.hpp"
 
 namespace plate {
 
 class AssembledPlate;
 class Formulation;
-
-/// What has lifted off of the supports that only push, of a plate at rest.
-struct LiftedSupports {
-  double share = 0;        // of their points
-  double largest_gap = 0;  // [length]
-};
 
 /// Supports that only push under a plate at rest. Each of their points touches and is pushed, or is free and has a gap
 /// (theory.md, "Supports that only push"). The factor of the plate with all points in contact is made once, and a

@@ -283,6 +283,10 @@ Json json_of(const ContactSummary& contact) {
           {"closed_share", contact.closed_share}};
 }
 
+Json json_of(const plate::LiftedSupports& lifted) {
+  return {{"share", lifted.share}, {"largest_gap", lifted.largest_gap}};
+}
+
 /// Integrals along lines.
 Json sums_json(const std::vector<ProbeValue>& sums) {
   Json json = Json::array();
@@ -310,6 +314,7 @@ Json json_of(const LoadCaseSummary& one) {
   add(json, "estimated_error_energy", one.energy_error);
   if (one.membrane) json["membrane"] = json_of(*one.membrane);
   if (one.contact) json["contact"] = json_of(*one.contact);
+  if (one.lifted) json["lifted"] = json_of(*one.lifted);
   return json;
 }
 
@@ -381,6 +386,7 @@ std::string to_json(const Summary& summary) {
     json["sanity"] = {{"deflection_over_thickness", *summary.deflection_over_thickness}};
   if (summary.linear_theory_off) json["sanity"]["linear_theory_off"] = *summary.linear_theory_off;
   if (summary.touching) json["touching"] = *summary.touching;
+  if (summary.lifted) json["lifted"] = json_of(*summary.lifted);
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.analysis.kind == plate::Analysis::Kind::frequencies) json["frequencies"] = list_of(summary.frequencies);

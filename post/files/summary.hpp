@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
+#include "plate/model/supports.hpp"
 #include "post/factors/accuracy.hpp"
 #include "post/files/table.hpp"
 
@@ -149,7 +150,8 @@ struct LoadCaseSummary {
   std::optional<ContactSummary> contact = {};    // where faces of cracks may touch: solved by itself
   // of strain_energy, where bending and stretching are coupled: bending, stretching, coupling
   std::vector<std::pair<std::string, double>> energy_parts = {};
-  std::optional<double> energy_error = {};  // estimated, of strain_energy
+  std::optional<double> energy_error = {};           // estimated, of strain_energy
+  std::optional<plate::LiftedSupports> lifted = {};  // where supports only push
 
   /// True of a combination that is the sum of states.
   bool superposed() const { return !of.empty() && !large_deflections && !contact; }
@@ -235,6 +237,7 @@ struct Summary {
   std::optional<double> deflection_over_thickness;     // the largest of the run
   std::optional<double> linear_theory_off;             // in statics: estimated share by which it is too large
   std::optional<double> touching;                      // share of the unilateral foundations which is pressed
+  std::optional<plate::LiftedSupports> lifted;         // where supports only push, of one load
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
   std::vector<Frequency> frequencies;                  // of a frequency analysis

@@ -311,6 +311,8 @@ std::string text_of(const plate::Support& s) {
   if (s.patch) members.emplace_back("patch", text_of(*s.patch));
   if (s.k_w) members.emplace_back("k_w", json_number(*s.k_w));
   if (s.k_phi) members.emplace_back("k_phi", json_number(*s.k_phi));
+  if (s.push != plate::Push::both_ways)
+    members.emplace_back("pushes", json_text(s.push == plate::Push::up ? "up" : "down"));
   constexpr std::array in_plane{"free", "fixed", "normal", "tangential", "x", "y"};
   if (const auto held = s.held_in_plane(); held != plate::InPlane::free)
     members.emplace_back("in_plane", json_text(in_plane[std::size_t(held)]));

@@ -36,6 +36,12 @@ void contact(Text out, const ContactSummary& contact, const std::string& of, boo
                  100 * contact.closed_share, contact.largest_pressure, si ? " N/m" : "", of);
 }
 
+/// `of`: empty, or the load case.
+void lifted(Text out, const plate::LiftedSupports& lifted, const std::string& of, bool si) {
+  fmt::format_to(out, "off its supports: {:.1f} % of the points that only push{}; largest gap {:.4g}{}\n",
+                 100 * lifted.share, of, lifted.largest_gap, si ? " m" : "");
+}
+
 void growth(Text out, const GrowthSummary& growth) {
   constexpr std::size_t most = 8;
   std::vector<std::string> lengths;
@@ -372,6 +378,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   }
   if (summary.membrane && a.iterations) displaced(out, *summary.membrane, "", si, 12);
   if (summary.touching) fmt::format_to(out, "soil touches {:.1f} % of what lies above it\n", 100 * *summary.touching);
+  if (summary.lifted) lifted(out, *summary.lifted, "", si);
   if (summary.contact) contact(out, *summary.contact, "", si);
   if (summary.multipliers)
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
@@ -510,6 +517,8 @@ std::string printed_load_cases(const Summary& summary, bool si, double thickness
                 8);
   for (const auto& one : summary.load_cases)
     if (one.membrane) displaced(out, *one.membrane, ", " + one.name, si, 8);
+  for (const auto& one : summary.load_cases)
+    if (one.lifted) lifted(out, *one.lifted, ", " + one.name, si);
   for (const auto& one : summary.load_cases)
     for (const auto& peak : one.extremes)
       if (peak.quantity == "w" && peak.position)

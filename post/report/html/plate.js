@@ -226,7 +226,7 @@ function plate_drawing() {
 /** What the drawing shows, in words. */
 function plate_words() {
   const { section: s } = plate, on = edges => (edges.length ? ` on ${listed(edges)}` : "");
-  const support = one => `${one.kind}${one.points.length ? ` at ${one.points.length} ${one.points.length === 1 ? "point" : "points"}` : one.along ? " along a line" : one.patch ? " on a part" : on(one.edges)}${one.kind === "hub" ? (one.k_phi === undefined ? " that does not turn" : one.k_phi === 0 ? " free to turn" : `, k_phi ${shown(one.k_phi)}`) + (one.k_w ? `, k_w ${shown(one.k_w)}` : "") : ""}${one.in_plane ? `, in the plane ${one.in_plane}` : ""}`;
+  const support = one => `${one.kind}${one.points.length ? ` at ${one.points.length} ${one.points.length === 1 ? "point" : "points"}` : one.along ? " along a line" : one.patch ? " on a part" : on(one.edges)}${one.kind === "hub" ? (one.k_phi === undefined ? " that does not turn" : one.k_phi === 0 ? " free to turn" : `, k_phi ${shown(one.k_phi)}`) + (one.k_w ? `, k_w ${shown(one.k_w)}` : "") : ""}${one.pushes ? `, pushes ${one.pushes} only` : ""}${one.in_plane ? `, in the plane ${one.in_plane}` : ""}`;
   const load = one => {
     const value_of = one.tensor ? `${one.kind === "edge_traction" ? "Nxx, Nyy, Nxy" : "Mxx, Myy, Mxy"} = ${one.tensor.map(x => shown(x)).join(", ")}` : one.vector ? `${one.value ? `${shown(one.value)} along w and ` : ""}(${one.vector.map(x => shown(x)).join(", ")})` : one.kind === "temperature" && one.mean !== undefined ? `${one.value ? `${shown(one.value)}, ` : ""}mean ${shown(one.mean)}` : one.expression ?? shown(one.value);
     const twist = (one.twist ? `, twist ${shown(one.twist)}` : "") + (one.shear ? `, shear ${shown(one.shear)}` : ""), pair = ([x, y]) => `(${shown(x)}, ${shown(y)})`;
