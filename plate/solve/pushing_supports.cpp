@@ -108,6 +108,7 @@ Eigen::VectorXd PushingSupports::gaps(const std::vector<Eigen::Index>& open, con
 
 PushingSupports::Gaps PushingSupports::operator()(const Forces& load, const State& settled) {
   constexpr double rounding = 1e-10;
+  if (rows_.empty()) return {zero_like(load), {}};
   Forces forces;
   plate_.internal_force(held(load, settled), forces);
   forces += load;

@@ -33,7 +33,7 @@ public:
   Gaps operator()(const Forces& load, const State& settled);
 
 private:
-  /// A point that such a support holds, and what a gap of length 1 moves beside it.
+  /// A point that such a support holds.
   struct Row {
     std::uint32_t point;
     double direction;  // in which it is pushed: 1 along w, -1 against it

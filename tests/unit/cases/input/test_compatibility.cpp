@@ -68,6 +68,7 @@ std::vector<Sample> samples() {
       {touching_in_motion, motion_with({{"cracks.contact", "true"}, {"discretization.formulation", "galerkin"}})},
       {touching_bonds, {{"cracks.contact", "true"}, {"discretization.formulation", "ordinary"}}},
       {buckling, {{"analysis.kind", "buckling"}, {"discretization.formulation", "galerkin"}}, traction},
+      {pushing_supports, {{"support", "[{ kind = 'simply_supported', edges = ['left'], pushes = 'up' }]"}}},
       {unilateral_foundation, {{"foundation", "[{ modulus = 1, lifts_off = true }]"}}},
       {temperature, {{"section.thermal_expansion", "1e-5"}}, "{ kind = 'temperature', value = 1 }"},
       {mean_temperature, {{"section.thermal_expansion", "1e-5"}}, "{ kind = 'temperature', mean = 1 }"},
