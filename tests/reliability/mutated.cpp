@@ -77,6 +77,7 @@ constexpr std::array lines_to_add{
     "frequency = 2.0",
     "history = [[0.0, 0.0], [0.1, 1.0]]",
     "lifts_off = true",
+    "pushes = \"up\"",
     "shear = 2.0",
     "torsion = 0.5",
     "mass = 0.1",

@@ -38,7 +38,7 @@ KEPT = ("moving_ground", "moving_loads", "moving_loads_galerkin", "soil_that_lif
 FEATURES = [(name.replace("_", " "), f"{INPUTS}/{name}", name in KEPT, LONGER if name in KEPT else [])
             for name in (
                 "orthotropic", "plies_stiffened", "regions_and_factors", "temperature", "settlements", "supports_inside",
-                "soil_that_lifts_off", "table_and_level", "load_cases", "surface_nodes", "fictitious_nodes", "oblique_surface_nodes",
+                "soil_that_lifts_off", "supports_that_push", "table_and_level", "load_cases", "surface_nodes", "fictitious_nodes", "oblique_surface_nodes",
                 "frequencies_on_springs", *KEPT)]
 
 
