@@ -2,14 +2,19 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <cmath>
+#include <sstream>
 
 #include "cases/input/case_file.hpp"
+#include "cases/input/toml_reader.hpp"
 #include "plate/model/membrane.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
+#include "plate/solve/motion/time_grid.hpp"
 #include "post/files/checkpoints.hpp"
 #include "post/files/run_folder.hpp"
 #include "post/files/sinks.hpp"
+#include "post/files/summary.hpp"
 #include "post/report/quantity.hpp"
 #include "post/report/terminal.hpp"
 
@@ -44,17 +49,132 @@ void clear(const RunOptions& options, const std::string& resolved, bool goes_on)
     post::say(fmt::format("{}: removed {} files of an earlier run\n", folder.string(), removed));
 }
 
-std::unique_ptr<RunCheckpoints> checkpoints_of(const RunPlan& plan, const std::string& resolved) {
+/// The case without what a longer motion may change: its duration, on which rows depend where they are not given.
+Case without_duration(Case c) {
+  if (!c.moves()) return c;
+  c.output.history_every = plate::row_of(grid_options(c));
+  c.analysis.duration = 1;
+  return c;
+}
+
+std::unique_ptr<RunCheckpoints> checkpoints_of(const RunPlan& plan) {
   const double every = plan.content.output.checkpoint_every;
   if (every <= 0) return nullptr;
   const auto& all = *plan.options.communicator;
   // of the runs that may continue from one: the same case by the same build of the program
-  const auto run = fmt::format("case {}, program {} of {}, {}", post::digest(resolved), PDPLATE_VERSION, plate::build(),
-                               all.distributed() ? "several processes" : "one process");
+  const auto run =
+      fmt::format("case {}, program {} of {}, {}", post::digest(resolved_toml(without_duration(plan.content))),
+                  PDPLATE_VERSION, plate::build(), all.distributed() ? "several processes" : "one process");
   return std::make_unique<RunCheckpoints>(post::Checkpoints(all, plan.options.folder, run), every);
 }
 
+/// First key that differs between two nodes of cases; nothing where they are equal.
+std::optional<std::string> differing_key(const toml::node* one, const toml::node* other, const std::string& key) {
+  if (!one || !other) return key;
+  if (const auto* a = one->as_table(), *b = other->as_table(); a && b) {
+    const auto below = [&](const toml::key& name) {
+      const std::string path = key.empty() ? std::string(name.str()) : fmt::format("{}.{}", key, name.str());
+      return differing_key(a->get(name.str()), b->get(name.str()), path);
+    };
+    for (const auto* table : {a, b})
+      for (const auto& [name, node] : *table)
+        if (auto found = below(name)) return found;
+    return std::nullopt;
+  }
+  const auto *a = one->as_array(), *b = other->as_array();
+  for (std::size_t i = 0; a && b && i < std::max(a->size(), b->size()); ++i)
+    if (auto found = differing_key(a->get(i), b->get(i), fmt::format("{}[{}]", key, i))) return found;
+  if (a && b) return std::nullopt;
+  std::ostringstream texts[2];
+  texts[0] << toml::node_view(one), texts[1] << toml::node_view(other);
+  return texts[0].str() == texts[1].str() ? std::nullopt : std::optional(key);
+}
+
+/// A motion in the folder that a run is to go on with: its duration, and its rows where they were given.
+struct EarlierMotion {
+  double duration;
+  std::optional<double> rows;
+
+  EarlierMotion(const toml::table& earlier, const Case& c)
+      : duration(earlier["analysis"]["duration"].value_or(c.analysis.duration)),
+        rows(earlier["output"]["history_every"].value<double>()) {}
+  /// The case with the duration and the rows of this motion.
+  Case of(Case c) const {
+    c.analysis.duration = duration, c.output.history_every = rows;
+    return c;
+  }
+};
+
+/// Key of the first setting that differs but for the duration; nothing where there is none. Rows that are not given are
+/// as far apart as the duration makes them.
+std::optional<std::string> changed_key(toml::table earlier, const Case& c) {
+  auto now = parsed_text(resolved_toml(c), "");
+  if (c.moves()) {
+    const EarlierMotion before(earlier, c);
+    if (plate::row_of(grid_options(before.of(c))) != plate::row_of(grid_options(c))) return "output.history_every";
+    auto &old_analysis = *earlier["analysis"].as_table(), &analysis = *now["analysis"].as_table();
+    for (auto* one : {&earlier, &now})
+      (*one)["analysis"].as_table()->erase("duration"), (*one)["output"].as_table()->erase("history_every");
+    // "lanczos" that nobody states may have become time steps
+    if (c.analysis.method == Analysis::Method::lanczos && old_analysis["method"] == "central_difference")
+      analysis.insert_or_assign("method", "central_difference");
+  }
+  return differing_key(&earlier, &now, "");
+}
+
+/// Throws CaseError where steps or damping would not be those of the earlier motion, which goes on as this one.
+void require_same_steps(const CaseFile& file, const Case& earlier) {
+  const auto &now = file.content.analysis, &before = earlier.analysis;
+  const auto refuse = [&](const std::string& what) {
+    throw CaseError({{file.place("analysis.duration"), "analysis.duration", what}});
+  };
+  if (now.duration < before.duration)
+    refuse(fmt::format("is shorter than {:g}, that of the run which --resume goes on with", before.duration));
+  if (now.time_step) return;
+  const auto relaxes = [&](double duration) { return plate::exact_below(*now.damping) * duration >= 1; };
+  if (now.damping && now.damping->stiffness > 0 && relaxes(before.duration) != relaxes(now.duration))
+    refuse("of so much longer takes other steps with damping by the stiffness: run it without --resume");
+  const double row = plate::row_grid(grid_options(earlier)).time_step;
+  if (row != plate::row_grid(grid_options(file.content)).time_step)
+    refuse(
+        fmt::format("must be a multiple of the time {:g} between rows of the run which --resume goes on with: set "
+                    "{:g}",
+                    row, std::ceil(now.duration / row) * row));
+}
+
 }  // namespace
+
+CaseFile going_on(const CaseFile& file, const RunOptions& options) {
+  const auto path = options.folder / "case.resolved.toml";
+  std::error_code none;
+  if (!options.resume || options.in_memory || !std::filesystem::exists(path, none)) return file;
+  const auto earlier = parsed(path, "run");
+  CaseFile result = file;
+  Case& c = result.content;
+  const EarlierMotion before(earlier, c);
+  if (c.moves() && !c.output.history_every && (before.rows || before.duration != c.analysis.duration))
+    c.output.history_every = plate::row_of(grid_options(before.of(c)));
+  const auto changed = changed_key(earlier, c);
+  const post::Checkpoints checkpoints(*options.communicator, options.folder, "");
+  if (!checkpoints.any() && !checkpoints.kept()) {
+    const auto summary = post::read_summary(options.folder / "summary.json");
+    if (!changed && c.moves() && c.analysis.duration != before.duration && summary && summary->outcome == "done")
+      throw CaseError(
+          {{file.place("analysis.duration"), "analysis.duration",
+            fmt::format("is {:g} in the run which --resume is to go on with, and that has no checkpoint, as "
+                        "method = \"lanczos\" or output.checkpoint_every = 0 leave none: run it without "
+                        "--resume",
+                        before.duration)}});
+    return file;
+  }
+  if (changed)
+    throw CaseError({{file.place(*changed), *changed,
+                      fmt::format("differs in {}, which --resume is to go on with: only analysis.duration may change, "
+                                  "to be longer; run it without --resume",
+                                  path.string())}});
+  if (c.moves()) require_same_steps(result, before.of(c));
+  return result;
+}
 
 void check_folder(const std::filesystem::path& folder) {
   constexpr std::size_t most = 3;
@@ -93,7 +213,7 @@ Recording recording(const RunPlan& plan) {
     require_lock(lock.emplace(options.folder));
   }
   plate::wait_for_all(all);
-  auto checkpoints = checkpoints_of(plan, resolved);
+  auto checkpoints = checkpoints_of(plan);
   const bool goes_on = options.resume && finds(checkpoints.get(), options);
   if (lock) clear(options, resolved, goes_on);
   const bool of_state = c.analysis.kind == Analysis::Kind::static_ || c.moves();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "cases/input/case_file.hpp"
 #include "cases/runs/checkpoints.hpp"
 #include "cases/runs/run_plan.hpp"
 #include "plate/model/point_map.hpp"
@@ -25,6 +26,11 @@ private:
 
 /// Throws RefusedFolder where the folder holds something but no results of a run, or another run writes to it.
 void check_folder(const std::filesystem::path& folder);
+
+/// The case of a run that goes on with the one in its folder, with the rows of that where it gives none: a motion may
+/// be longer now. As given where nothing goes on. Throws CaseError where anything else has changed, where steps would
+/// be others, and where a motion that is to be longer has left no checkpoint.
+CaseFile going_on(const CaseFile& file, const RunOptions& options);
 
 /// The summary of such a run that this version of the program has done, with all that came after it: nothing is left to
 /// go on with.

@@ -109,13 +109,14 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   }
   look_at_errors(prepared, options);
   auto summary = run(prepared, outputs, checkpoints.get());
-  if (checkpoints) checkpoints->done();
+  if (checkpoints) checkpoints->keep_last();
   return summary;
 }
 
 }  // namespace
 
-post::Summary run(const CaseFile& file, const RunOptions& options) {
+post::Summary run(const CaseFile& given, const RunOptions& options) {
+  const CaseFile file = going_on(given, options);
   const Case& c = file.content;
   if (const auto& all = *options.communicator; all.distributed()) require_distributable(file, all.size());
   if (options.resume && !(c.growth && c.growth->unstable == fracture::Growth::Unstable::move))

@@ -61,6 +61,8 @@ public:
 
   /// The run has ended: nothing goes on from it.
   void done() const { checkpoints_.remove(); }
+  /// The run has ended: one for longer may go on from its last checkpoint.
+  void keep_last() const { checkpoints_.keep_last(); }
 
 private:
   using Clock = std::chrono::steady_clock;

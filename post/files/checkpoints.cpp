@@ -24,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array names{"checkpoint", "checkpoint.before"};
+constexpr const char* name_of_end = "checkpoint.end";    // of a run that has ended
 constexpr const char* magic = "PDPlate checkpoint 4: ";  // the number of its form
 
 constexpr std::size_t digits = 16;  // of the checksum, at the end
@@ -251,7 +252,7 @@ void Checkpoints::write(const std::string& memory, const CellValues& own) {
 }
 
 std::optional<Checkpoints::Found> Checkpoints::read(std::vector<std::string>& refused) {
-  for (const auto* name : names) {
+  for (const auto* name : {names[0], names[1], name_of_end}) {
     std::string problem;
     const auto main = read_main(folder_ / name, of_, problem);
     if (main) problem = error_in_parts(*all_, folder_, *main);
@@ -278,13 +279,32 @@ bool Checkpoints::any() const {
   return std::ranges::any_of(names, [&](const char* name) { return fs::exists(folder_ / name, none); });
 }
 
-void Checkpoints::remove() const {
-  if (all_->rank() > 0) return;
+bool Checkpoints::kept() const {
+  std::error_code none;
+  return fs::exists(folder_ / name_of_end, none);
+}
+
+/// Removes all files but those whose names begin with `kept`, unless it is empty.
+void Checkpoints::remove_but(const std::string& kept) const {
   std::error_code none;
   std::vector<fs::path> files{folder_ / names[0], folder_ / names[1]};  // before the points that they refer to
   for (const auto& entry : fs::directory_iterator(folder_, none))
-    if (entry.path().filename().string().starts_with("checkpoint.")) files.push_back(entry.path());
+    if (const auto name = entry.path().filename().string();
+        name.starts_with("checkpoint.") && (kept.empty() || !(name.starts_with(kept) || name == name_of_end)))
+      files.push_back(entry.path());
   for (const auto& path : files) fs::remove(path, none);
+}
+
+void Checkpoints::keep_last() const {
+  if (all_->rank() > 0) return;
+  std::error_code none;
+  if (!fs::exists(folder_ / names[0], none)) return remove();
+  fs::rename(folder_ / names[0], folder_ / name_of_end, none);
+  remove_but(fmt::format("checkpoint.{}.", (turn_ + turns - 1) % turns));
+}
+
+void Checkpoints::remove() const {
+  if (all_->rank() == 0) remove_but("");
 }
 
 }  // namespace post

@@ -64,10 +64,17 @@ public:
   /// The newest that is whole and of this run. What is wrong with others goes into `refused`, in all processes.
   std::optional<Found> read(std::vector<std::string>& refused);
 
+  /// True where a run has not ended.
   bool any() const;
+  /// True where keep_last() has kept one.
+  bool kept() const;
+  /// Keeps the last one as `checkpoint.end`, and no other: the run has ended, and a longer one may go on from it.
+  void keep_last() const;
   void remove() const;
 
 private:
+  void remove_but(const std::string& kept) const;
+
   const plate::Communicator* all_;
   std::filesystem::path folder_;
   std::string of_;

@@ -58,7 +58,7 @@ constexpr auto mark = "case.resolved.toml";  // the first file of every run
 bool is_result(const std::string& name) {
   static const std::regex names(
       R"((case\.resolved\.toml|summary\.json|state\.h5(\.\d+)?|fields\.pvd|fields_\d{4,}(_\d+)?\.vtu|fields_\d{4,}\.pvtu|cracks(_\d{4,})?\.vtp|cracks\.pvd|)"
-      R"(curves\.svg|report\.html|checkpoint(\.before|\.\d\.\d+)?|)"
+      R"(curves\.svg|report\.html|checkpoint(\.before|\.end|\.\d\.\d+)?|)"
       R"((history|probes|lines|reactions|frequencies|srif|envelope|impact|response|growth|tips|cracks)\.csv)(\.partial)?)");
   return std::regex_match(name, names);
 }
@@ -90,7 +90,8 @@ std::size_t remove_earlier(const fs::path& folder, Parts parts) {
   // still one of results
   std::ranges::sort(old, {}, [](const fs::path& path) {
     const auto name = path.filename().string();
-    const bool first = name == "checkpoint" || name == "checkpoint.before" || name == "summary.json";
+    const bool first =
+        name == "checkpoint" || name == "checkpoint.before" || name == "checkpoint.end" || name == "summary.json";
     return name == mark ? 2 : first ? 0 : 1;
   });
   std::size_t count = 0;

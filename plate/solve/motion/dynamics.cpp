@@ -242,7 +242,8 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
     const bool row = step % options.observe_every == 0 || step == options.steps;
     if (rest && (row || options.changes)) rest->complete();
     const bool stops = stops_at(constraints, row), observed = row || stops;
-    if (options.save && (stops || ((row || !constraints.distributed()) && options.due()))) {
+    const bool last = step == options.steps;  // a longer motion goes on from there
+    if (options.save && (stops || last || ((row || !constraints.distributed()) && options.due()))) {
       MotionCheckpoint memory{step, state, velocity, {}, {}, {}};
       masses.save(memory), contact_and_damping.save(memory);
       memory.driven = driven.memory(), memory.travelling = travelling.memory();
@@ -276,7 +277,7 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
       instant.held_force = std::move(held_force), instant.interrupted = stops;
       observe(instant);
     }
-    if (step == options.steps) return;
+    if (last) return;
     if (stops) throw Interrupted(fmt::format("asked to stop at step {}, time {:g}", step, time));
     move(now, force, masses, contact_and_damping);
     contact_and_damping.lose(before + after), contact_and_damping.move(step == 0 ? dt / 2 : dt);

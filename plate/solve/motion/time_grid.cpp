@@ -47,7 +47,8 @@ TimeGrid given_steps(const GridOptions& options, double limit, double row) {
           static_cast<std::size_t>(std::clamp(std::round(row / dt), 1.0, most_steps))};
 }
 
-/// Time between rows.
+}  // namespace
+
 double row_of(const GridOptions& options) {
   const double duration = options.analysis.duration, row = options.row.value_or(duration / 400);
   if (!(duration / row <= most_rows))
@@ -57,11 +58,12 @@ double row_of(const GridOptions& options) {
   return row;
 }
 
-}  // namespace
-
 TimeGrid row_grid(const GridOptions& options) {
-  const double duration = options.analysis.duration, rows = std::max(1.0, std::round(duration / row_of(options)));
-  return {duration / rows, static_cast<std::size_t>(rows), 1};
+  constexpr double rounding = 1e-12;
+  const double duration = options.analysis.duration, row = row_of(options);
+  const double rows = std::max(1.0, std::round(duration / row)), between = duration / rows;
+  // the same number for all durations of whole rows
+  return {std::abs(between - row) <= rounding * row ? row : between, static_cast<std::size_t>(rows), 1};
 }
 
 TimeGrid time_grid(const GridOptions& options, double limit) {
@@ -75,10 +77,11 @@ TimeGrid time_grid(const GridOptions& options, double limit) {
   const double row = row_of(options);
   if (options.analysis.time_step) return given_steps(options, limit, row);
   // whole steps between rows, whole rows in the duration
-  const double rows = std::max(1.0, std::round(duration / row)), between = duration / rows;
+  const auto rows = row_grid(options);
+  const double between = rows.time_step;
   const double steps = std::max(1.0, std::ceil(between / (std::min(options.analysis.safety, options.most) * limit)));
   check_count(duration, Subject::duration, between / steps);
-  return {between / steps, static_cast<std::size_t>(rows * steps), static_cast<std::size_t>(steps)};
+  return {between / steps, static_cast<std::size_t>(double(rows.steps) * steps), static_cast<std::size_t>(steps)};
 }
 
 double stable_step(double undamped, const Damping& damping) {

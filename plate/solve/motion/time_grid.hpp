@@ -27,6 +27,9 @@ struct GridOptions {
   double most = 1;            // share of the stable step that may be used
 };
 
+/// Time between rows. Throws Refused where there are too many.
+double row_of(const GridOptions& options);
+
 /// Steps that end exactly on the rows of history, none above `limit`. Throws Refused where more is asked for.
 TimeGrid time_grid(const GridOptions& options, double limit);
 

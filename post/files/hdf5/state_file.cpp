@@ -176,6 +176,7 @@ private:
     checked(file_.release(), "closing");
   }
   void begin(const StateFile::Points& points);
+  void write_case(hid_t file) const;
   void remove_files() const;
   void remove_parts(std::size_t first) const;
   std::size_t last_part_of(std::size_t frames);
@@ -198,11 +199,17 @@ void OpenStateFile::begin(const StateFile::Points& points) {
   file_ = created(part(0));
   write_attribute(file_, "program", "PDPlate");
   write_attribute(file_, "version", options_.version);
-  write_attribute(file_, "case", options_.resolved_case);
+  write_case(file_);
   write_attribute(file_, "format_version", H5T_NATIVE_INT, &hdf5::format_version);
   write_points(file_, points);
   new_group(file_, "tables");
   series_ = Frames(file_, points_, options_);
+}
+
+/// Writes the case in the place of that of a shorter motion, from which this one may go on.
+void OpenStateFile::write_case(hid_t file) const {
+  if (checked(H5Aexists(file, "case"), "case") > 0) checked(H5Adelete(file, "case"), "case");
+  write_attribute(file, "case", options_.resolved_case);
 }
 
 void OpenStateFile::remove_files() const {
@@ -308,6 +315,7 @@ void OpenStateFile::assemble() {
   part();
   std::filesystem::copy_file(part(0), whole, std::filesystem::copy_options::overwrite_existing);
   file_ = opened(whole, H5F_ACC_RDWR);
+  write_case(file_);
   Frames all(file_);
   all.keep(parts_.front());
   for (std::size_t i = 1; i < parts_.size(); ++i) all.append(Frames(opened(part(i), H5F_ACC_RDONLY)), parts_[i]);

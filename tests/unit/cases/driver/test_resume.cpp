@@ -2,10 +2,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <csignal>
 
 #include "cases/driver/run.hpp"
 #include "plate/solve/interruption.hpp"
+#include "post/files/hdf5/state_file.hpp"
 #include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
@@ -64,6 +66,7 @@ TEST_CASE("a run that a signal ends has its tables, and goes on from there to th
     INFO(name);
     REQUIRE(fs::exists(options.folder / name));
     if (name == "summary.json" || name == "report.html" || name == "state.h5") continue;  // times; tests/reliability
+    if (name.string().starts_with("checkpoint")) continue;                                // of another turn
     CHECK(small_run::text_of(entry.path()) == small_run::text_of(options.folder / name));
     ++same;
   }
@@ -85,7 +88,91 @@ TEST_CASE("what cannot go on is refused, where there is nothing it begins anew")
     overrides.push_back("section.young=5000");
     return overrides;
   }());
-  CHECK_THROWS_WITH(cases::run(other, options), Catch::Contains("--resume") && Catch::Contains("is of another run"));
+  CHECK_THROWS_WITH(cases::run(other, options),
+                    Catch::Contains("section.young: differs") && Catch::Contains("--resume"));
   for (const char* name : {"checkpoint", "checkpoint.before"}) fs::remove(options.folder / name);
   CHECK(cases::run(other, options).outcome == "done");
+}
+
+namespace {
+
+/// A motion of 400 points with its own time step, in one formulation.
+cases::CaseFile lasting(double duration, const std::string& formulation, const Overrides& more = {}) {
+  Overrides all{"section.density=1", "discretization.spacing=0.1", "output.every=0.017",
+                fmt::format("analysis={{kind=\"dynamic\",method=\"central_difference\",duration={}}}", duration),
+                "discretization.formulation=" + formulation};
+  all.insert(all.end(), more.begin(), more.end());
+  return case_text::read(case_text::plain, all);
+}
+
+/// Key of what a run refuses; empty where it refuses nothing.
+std::string refused_key(const cases::CaseFile& file, const cases::RunOptions& options) {
+  try {
+    cases::run(file, options);
+  } catch (const cases::CaseError& error) {
+    return error.problems()[0].key;
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a motion that has ended goes on for longer, to the files of the long one") {
+  for (const std::string formulation : {"galerkin", "ordinary"}) {
+    INFO(formulation);
+    const small_run::TemporaryFolder scratch;
+    cases::RunOptions options{scratch / "longer", true};
+    cases::run(lasting(0.03, formulation), options);
+    options.resume = true;
+    // rows stay 0.03 / 400 apart; no frame at 0.03, which is not on output.every
+    for (const double duration : {0.042, 0.06})
+      CHECK(cases::run(lasting(duration, formulation), options).outcome == "done");
+    CHECK(cases::run(lasting(0.06, formulation), options).outcome == "done");  // it is: nothing is made anew
+    cases::run(lasting(0.06, formulation, {"output.history_every=7.5e-5"}), {scratch / "whole", true});
+    for (const auto& entry : fs::directory_iterator(scratch / "whole")) {
+      const auto name = entry.path().filename().string();
+      INFO(name);
+      REQUIRE((fs::exists(options.folder / name) || name.starts_with("checkpoint")));
+      if (name == "summary.json" || name == "report.html" || name == "state.h5" || name.starts_with("checkpoint"))
+        continue;
+      CHECK(small_run::text_of(entry.path()) == small_run::text_of(options.folder / name));
+    }
+    CHECK(post::read_run(options.folder / "state.h5").resolved_case ==
+          small_run::text_of(options.folder / "case.resolved.toml"));
+  }
+}
+
+TEST_CASE("a motion that has ended goes on with nothing else changed") {
+  const small_run::TemporaryFolder scratch;
+  cases::RunOptions options{scratch / "ended", true};
+  cases::run(lasting(0.03, "galerkin"), options);
+  options.resume = true;
+  CHECK(refused_key(lasting(0.02, "galerkin"), options) == "analysis.duration");
+  CHECK(refused_key(lasting(0.040001, "galerkin"), options) == "analysis.duration");  // no whole rows
+  CHECK(refused_key(lasting(0.06, "galerkin", {"load[0].value=2"}), options) == "load[0].value");
+  CHECK(refused_key(lasting(0.06, "galerkin", {"output.history_every=1e-4"}), options) == "output.history_every");
+  CHECK(refused_key(lasting(0.06, "galerkin", {"geometry.cracks=[]"}), options) == "geometry.cracks");
+  CHECK(fs::exists(options.folder / "history.csv"));  // of the run that has ended
+  CHECK(refused_key(lasting(0.03, "galerkin", {"output.history_every=7.5e-5"}), options).empty());
+}
+
+TEST_CASE("a motion without checkpoints does not go on for longer") {
+  const Overrides lanczos{"section.density=1", "discretization.formulation=galerkin"},
+      steps{"section.density=1", "discretization.formulation=ordinary", "output.checkpoint_every=0"};
+  for (const auto& some : {lanczos, steps}) {
+    const auto until = [&](double duration) {
+      auto all = some;
+      all.insert(all.begin(), fmt::format("analysis={{kind=\"dynamic\",duration={}}}", duration));
+      all.insert(all.begin(), "discretization.spacing=0.1");
+      return case_text::read(case_text::plain, all);
+    };
+    const small_run::TemporaryFolder scratch;
+    cases::RunOptions options{scratch / "ended", true};
+    cases::run(until(0.03), options);
+    options.resume = true;
+    CHECK(refused_key(until(0.06), options) == "analysis.duration");
+    CHECK(refused_key(until(0.02), options) == "analysis.duration");
+    options.resume = false;
+    CHECK(refused_key(until(0.06), options).empty());
+  }
 }

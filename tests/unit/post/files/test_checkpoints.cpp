@@ -80,6 +80,28 @@ TEST_CASE("checkpoints: the newest comes back, two are kept, none is left of wha
   CHECK(fs::is_empty(scratch.path()));
 }
 
+TEST_CASE("checkpoints: the last stays where a run has ended, until one that goes on from it has its own") {
+  const ScratchFolder scratch("pdplate_checkpoint");
+  auto checkpoints = alone(scratch.path());
+  checkpoints.keep_last();
+  CHECK_FALSE(checkpoints.kept());
+  for (const char* memory : {"first", "second", "third", "fourth"}) checkpoints.write(memory, {});
+  checkpoints.keep_last();
+  CHECK(checkpoints.kept());
+  CHECK_FALSE(checkpoints.any());
+  CHECK(std::distance(fs::directory_iterator(scratch.path()), {}) == 2);
+  auto later = alone(scratch.path());
+  std::vector<std::string> refused;
+  const auto found = later.read(refused);
+  REQUIRE(found);
+  CHECK(found->memory == "fourth");
+  later.write("fifth", {});
+  CHECK(read(later).memory == "fifth");
+  later.keep_last();
+  CHECK(read(alone(scratch.path())).memory == "fifth");
+  CHECK(std::distance(fs::directory_iterator(scratch.path()), {}) == 2);
+}
+
 TEST_CASE("checkpoints: any byte that is damaged or missing gives the one before, with a word about it") {
   const ScratchFolder scratch("pdplate_checkpoint");
   auto checkpoints = alone(scratch.path());
