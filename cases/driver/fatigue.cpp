@@ -116,7 +116,8 @@ post::Table fatigue(const post::Table& growth, const post::Table& tip_table, con
     const auto factor = load_factors.find(advance);
     if (factor == load_factors.end() || !(factor->second.value > 0))
       throw std::runtime_error(fmt::format("growth.csv: the advance {:g} of tips.csv has no load factor > 0", advance));
-    const double full = std::sqrt(3 * section.young * G / section.thickness) / factor->second.value;
+    const auto here = section.uniform() ? section : section.at({value(row, "x"), value(row, "y")});
+    const double full = std::sqrt(3 * here.young * G / here.thickness) / factor->second.value;
     history.lengths.push_back(own);
     history.ranges.push_back((1 - ratio) * load * full);
     if (const auto error = factor->second.error) history.errors.push_back(*error * history.ranges.back());

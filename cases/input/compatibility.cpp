@@ -197,8 +197,8 @@ const std::vector<Exclusion> excluded_pairs{
     {growth, load_cases, "growth",
      "cracks grow differently under every load case, so that these share no plate: remove it, or run each load case by "
      "itself"},
-    {growth, varied_section, "growth",
-     "growth.fracture_energy is that of one isotropic section: remove [growth], or what makes the section vary"},
+    {growth, directed_section, "growth",
+     "growth.fracture_energy is one number, and toughness of plies and of directions is several: remove [growth]"},
     {growth_of_bonds, temperature, "growth.criterion",
      "breaking single bonds takes no account of temperature: choose \"energy_release\""},
     {tips_in_motion, temperature, "growth",

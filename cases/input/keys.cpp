@@ -163,7 +163,8 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   if (growth && reading.sound("geometry")) report_error(errors_in_growth(content, analysis, *growth, srif, given));
   report_error(errors_in_accuracy(content, analysis, srif, content.formulation_reason));
   for (const auto& refusal : plate::errors_in_heat(content)) report_error({{key_of(refusal, content), refusal.what}});
-  if (srif && reading.sound("section") && reading.sound("geometry")) report_error(errors_in_section(content));
+  if ((srif || growth) && reading.sound("section") && reading.sound("geometry"))
+    report_error(errors_in_section(content));
   report_error(errors_in_motion(content, analysis, growth.has_value(), given));
   report_error(errors_in_response(content, analysis));
   report_error(errors_in_prestress(content, analysis));

@@ -297,7 +297,7 @@ void check_tips(const plate::Problem& problem, std::vector<KeyError>& found) {
           {section.thickness_factor.given() ? "section.thickness_factor" : "section.young_factor",
            fmt::format("varies about the tip at ({:g}, {:g}): intensity factors are found where the section "
                        "is the same all over a ring about the tip; choose section.regions, or remove "
-                       "[srif]",
+                       "[srif] and [growth]",
                        x.x(), x.y())});
       return;
     }
@@ -306,7 +306,7 @@ void check_tips(const plate::Problem& problem, std::vector<KeyError>& found) {
     if (there < least * spacing)
       found.push_back({"section.regions",
                        fmt::format("the section changes {:.3g} from the tip at ({:g}, {:g}), which is nearer than {:g} "
-                                   "spacings: no ring about it has one section; refine, or remove [srif]",
+                                   "spacings: no ring about it has one section; refine, or remove [srif] and [growth]",
                                    there, x.x(), x.y(), least)});
   }
 }

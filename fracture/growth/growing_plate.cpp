@@ -194,7 +194,7 @@ LoadedPlate GrowingPlate::full_load(const std::vector<geometry::Polyline>& crack
       throw plate::NumericalError(
           fmt::format("no energy release rate at {}: {}", name_of(tips[i]),
                       methods[i].left_out().empty() ? "not positive" : methods[i].left_out().front()));
-    result.tips.push_back(loaded(tips[i], *srif, srifs, problem_.section));
+    result.tips.push_back(loaded(tips[i], *srif, srifs, problem_.section.at(tips[i].position)));
   }
   return result;
 }
@@ -251,7 +251,8 @@ void GrowingPlate::add_in_plane(Solved& solved, const std::vector<post::ClosedTi
   if (closed.empty()) return;
   post::close(srifs, closed, problem_.section);
   for (auto& srif : srifs)
-    if (const auto& tip = closed[srif.tip]; tip.top && tip.bottom && srif.G) slide(srif, tip, problem_.section);
+    if (const auto& tip = closed[srif.tip]; tip.top && tip.bottom && srif.G)
+      slide(srif, tip, problem_.section.at(srif.position));
 }
 
 double GrowingPlate::Solved::work() const {

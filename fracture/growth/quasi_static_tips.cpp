@@ -71,8 +71,22 @@ std::size_t QuasiStaticTips::number_of(const geometry::Tip& tip) const {
 
 bool QuasiStaticTips::may_grow(const LoadedTip& tip) const {
   const auto& K = tip.factors;
-  const bool closed = growth_.tension_only && K.K1 + section_.thickness / 6 * K.N1 <= 0;  // at z > 0
-  return tip.G && *tip.G > 0 && !closed && !pressed(K, section_.thickness) && !growth_.held(tip.tip.position);
+  const double h = section_at(tip.tip).thickness;
+  const bool closed = growth_.tension_only && K.K1 + h / 6 * K.N1 <= 0;  // at z > 0
+  return tip.G && *tip.G > 0 && !closed && !pressed(K, h) && !growth_.held(tip.tip.position);
+}
+
+double QuasiStaticTips::demand(const LoadedTip& tip) const {
+  return *tip.G * (section_.thickness / section_at(tip.tip).thickness);
+}
+
+/// Mean thickness along a straight way, over that of the section without its regions.
+double QuasiStaticTips::mean_thickness(const geometry::Point& from, const geometry::Point& to) const {
+  if (section_.uniform()) return 1;
+  constexpr int parts = 64;
+  double sum = 0;
+  for (int i = 0; i < parts; ++i) sum += section_.at(from + (i + 0.5) / parts * (to - from)).thickness;
+  return sum / (parts * section_.thickness);
 }
 
 Loaded QuasiStaticTips::solve() {
@@ -82,7 +96,7 @@ Loaded QuasiStaticTips::solve() {
   } while (break_through());
   most_ = 0;
   for (const auto& tip : plate_.tips)
-    if (may_grow(tip)) most_ = std::max(most_, *tip.G);
+    if (may_grow(tip)) most_ = std::max(most_, demand(tip));
   calibrate();
   Loaded result{"", plate_.displacement, INFINITY, {}, plate_.held};
   for (const auto& one : plate_.tips)
@@ -111,9 +125,9 @@ std::string QuasiStaticTips::stays(const geometry::Tip& tip) {
 std::vector<char> QuasiStaticTips::movers() const {
   double least = most_;
   for (const auto& tip : plate_.tips)
-    if (may_grow(tip) && *tip.G >= (1 - together) * most_) least = std::min(least, *tip.G);
+    if (may_grow(tip) && demand(tip) >= (1 - together) * most_) least = std::min(least, demand(tip));
   std::vector<char> result;
-  for (const auto& tip : plate_.tips) result.push_back(may_grow(tip) && *tip.G >= (1 - equal_release) * least);
+  for (const auto& tip : plate_.tips) result.push_back(may_grow(tip) && demand(tip) >= (1 - equal_release) * least);
   return result;
 }
 
@@ -122,7 +136,7 @@ double QuasiStaticTips::load_error() const {
   double high = 0, low = 0;  // of the square root of the largest energy release rate
   for (const auto& tip : plate_.tips) {
     if (!may_grow(tip)) continue;
-    const double root = std::sqrt(*tip.G / most_);
+    const double root = std::sqrt(demand(tip) / most_);
     high = std::max(high, root * (1 + tip.release_error)), low = std::max(low, root * (1 - tip.release_error));
   }
   return std::max(high - 1, 1 - low);
@@ -141,7 +155,7 @@ std::string QuasiStaticTips::unresolved() {
     if (!found[i].resolved())
       return fmt::format("{} would turn by {:.0f} degrees, known to {:.0f} only; {}, or `direction` = \"straight\"{}",
                          name_of(tip), in_degrees(found[i].asked), in_degrees(found[i].error), remedy(),
-                         governed_by_shear(growth_, section_, K, errors));
+                         governed_by_shear(growth_, section_at(tip), K, errors));
     if (!found[i].known() &&
         std::ranges::none_of(warnings_, [&](const auto& one) { return one.starts_with(straight); }))
       warnings_.push_back(fmt::format("{}: {} goes straight on; {}", straight, name_of(tip), remedy()));
@@ -155,7 +169,7 @@ std::vector<Turn> QuasiStaticTips::turns_of(const std::vector<char>& moves) cons
     std::vector<Turn> result(plate_.tips.size());
     for (std::size_t i = 0; i < result.size(); ++i)
       if (const auto& tip = plate_.tips[i]; moves[i])
-        result[i] = turn_of(tip.factors, tip.errors, growth_.direction, section_, share);
+        result[i] = turn_of(tip.factors, tip.errors, growth_.direction, section_at(tip.tip), share);
     return result;
   };
   const auto result = find(1);
@@ -218,7 +232,7 @@ void QuasiStaticTips::choose(const Equilibrium& state) {
       one.G = state.factor * state.factor * *G;
       one.K1 = state.factor * K.K1, one.K2 = state.factor * K.K2, one.K3 = state.factor * K.K3;
       one.N1 = state.factor * K.N1, one.N2 = state.factor * K.N2;
-      one.face = name_of_face(K, growth_.direction, section_.thickness);
+      one.face = name_of_face(K, growth_.direction, section_at(tip).thickness);
     }
     record_.add(one);
   }
@@ -316,7 +330,7 @@ bool QuasiStaticTips::lay_twice(const Start& start, std::vector<double> angles, 
 bool QuasiStaticTips::shows_directions(const LoadedPlate& trial) const {
   for (std::size_t i = 0; i < moves_.size(); ++i)
     if (const auto* end = moves_[i] ? end_of(trial, i) : nullptr)
-      if (!turn_of(end->factors, end->errors, growth_.direction, section_).known()) return false;
+      if (!turn_of(end->factors, end->errors, growth_.direction, section_at(end->tip)).known()) return false;
   return true;
 }
 
@@ -362,12 +376,12 @@ std::string QuasiStaticTips::contradicted(const LoadedPlate& trial, const std::v
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto* end = moves_[i] ? end_of(trial, i) : nullptr;
     if (!end || !turns(angles[i])) continue;
-    const double further = kink_angle(end->factors, growth_.direction, section_);
+    const double further = kink_angle(end->factors, growth_.direction, section_at(end->tip));
     const double length = (end->tip.position - plate_.tips[i].tip.position).norm() / spacing_;
     if (std::abs(further) > contradiction * std::min(1.0, least_leg() / length))
       return fmt::format("{} would turn by {:.0f} degrees, and {:.2g} spacings on by {:.0f} more; {}{}",
                          name_of(plate_.tips[i].tip), in_degrees(angles[i]), length, in_degrees(further), remedy(),
-                         governed_by_shear(growth_, section_, end->factors, end->errors));
+                         governed_by_shear(growth_, section_at(end->tip), end->factors, end->errors));
   }
   return {};
 }
@@ -378,7 +392,7 @@ bool QuasiStaticTips::correct(const LoadedPlate& trial, std::vector<double>& ang
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto* end = moves_[i] ? end_of(trial, i) : nullptr;
     if (!end) continue;
-    const double turn = turn_of(end->factors, end->errors, growth_.direction, section_).angle;
+    const double turn = turn_of(end->factors, end->errors, growth_.direction, section_at(end->tip)).angle;
     if (std::abs(turn) < least_correction) continue;
     angles[i] += turn / 2;
     changed = true;
@@ -389,7 +403,7 @@ bool QuasiStaticTips::correct(const LoadedPlate& trial, std::vector<double>& ang
 void QuasiStaticTips::extend(const geometry::Tip& tip, const TipAdvance& step) {
   if (touches_at_once(step, spacing_)) return;
   geometry::extend(cracks_[tip.crack], tip.at_back, step.to);
-  fracture_ += toughness_ * step.length;
+  fracture_ += toughness_ * mean_thickness(tip.position, step.to) * step.length;
 }
 
 /// Serialises a growth in which nothing has moved since the plate was solved, and no trial waits.

@@ -76,6 +76,10 @@ private:
   template <typename Archive, typename Self>
   static void memory(Archive& archive, Self& self);
   bool may_grow(const LoadedTip& tip) const;
+  plate::Section section_at(const geometry::Tip& tip) const { return section_.at(tip.position); }
+  /// Energy release rate of a tip over its thickness, times that of the section without its regions [force].
+  double demand(const LoadedTip& tip) const;
+  double mean_thickness(const geometry::Point& from, const geometry::Point& to) const;
   std::vector<char> movers() const;
   double load_error() const;
   std::string unresolved();
@@ -104,13 +108,13 @@ private:
   const Growth& growth_;
   const plate::Section& section_;
   const geometry::Outline& outline_;
-  double spacing_, toughness_;
+  double spacing_, toughness_;  // the latter: of the section without its regions [force]
   std::vector<geometry::Polyline> cracks_;
   LoadedPlate plate_;                                     // the last solution
   std::optional<LoadedPlate> solved_;                     // with the cracks as they are
   std::vector<std::pair<std::size_t, bool>> numbers_;     // of tips: crack, and whether at its back
   std::string stuck_;                                     // why the last advance was not made
-  double most_ = 0;                                       // energy release rate of a tip that may grow
+  double most_ = 0;                                       // demand of a tip that may grow
   std::vector<char> moves_;                               // per tip
   std::vector<AdvancedTip> advanced_;                     // by the last advance
   double last_given_ = 0;                                 // before it

@@ -38,7 +38,7 @@ struct Energies {
   double first_load_factor;
 };
 
-Energies energies(const cases::Case& c) {
+Energies energies(const cases::Case& c, double thickness = 0.1) {
   const small_run::TemporaryFolder folder;
   const auto summary = cases::run({c, {}}, {folder.path(), true});
   const auto history = post::read_csv(folder / "history.csv");
@@ -47,7 +47,7 @@ Energies energies(const cases::Case& c) {
   };
   REQUIRE(history.rows.size() == 5);
   const double released = at(4, "released_energy") - at(0, "released_energy");
-  CHECK(at(4, "fracture_energy") == Approx(0.08).epsilon(1e-9));  // 1 * 0.1 * 0.8
+  CHECK(at(4, "fracture_energy") == Approx(0.8 * thickness).epsilon(1e-9));  // 1 * 0.1 * 0.8
   CHECK(at(0, "external_work") == Approx(at(0, "strain_energy")));
   return {1 + released / at(4, "fracture_energy"), *summary.growth->first_load_factor};
 }
@@ -71,6 +71,39 @@ TEST_CASE("quasi-static growth spends the fracture energy, bending, at any angle
     CHECK(std::abs(found.spent - 1) < 0.03);
     first.push_back(found.first_load_factor);
     for (const double factor : first) CHECK(factor == Approx(first.front()).epsilon(0.03));
+  }
+}
+
+TEST_CASE("quasi-static growth spends the fracture energy in a region of another thickness") {
+  for (const double thickness : {0.07, 0.14}) {
+    auto c = straight(0.04, 0, {1, 1, 0});
+    c.section.regions = {{geometry::rectangle(-0.88, -0.88, 0.88, 0.88).outer, thickness, {}, {}, {}}};
+    const auto found = energies(c, thickness);
+    CAPTURE(thickness, found.spent);
+    CHECK(std::abs(found.spent - 1) < 0.03);
+  }
+}
+
+TEST_CASE("quasi-static growth begins at the tip whose thickness resists least") {
+  for (const double thickness : {0.07, 0.14}) {
+    auto c = straight(0.03, 0, {1, 1, 0});
+    c.growth->max_advances = 1;
+    c.section.regions = {{geometry::rectangle(0, -0.9, 0.9, 0.9).outer, thickness, 1100.0, 0.25, {}}};
+    auto rests = c;
+    rests.growth.reset();
+    rests.srif.emplace();
+    const small_run::TemporaryFolder folder;
+    double first = INFINITY;  // load factor; G of every tip over that of the fracture energy and its own thickness
+    for (const auto& srif : cases::run({rests, {}}, {folder / "rests", true}).srif)
+      if (srif.method == post::SrifMethod::virtual_crack_extension)
+        first = std::min(first, std::sqrt((srif.tip == 1 ? thickness : 0.1) / *srif.G));
+    const auto summary = cases::run({c, {}}, {folder / "grows", true});
+    CAPTURE(thickness, first);
+    CHECK(*summary.growth->first_load_factor == Approx(first).epsilon(1e-6));
+    const auto tips = post::read_csv(folder / "grows" / "tips.csv");
+    for (const double tip : {0.0, 1.0})
+      CHECK(std::get<double>(tips.rows.at(std::size_t(tip)).at(tips.column("moves"))) ==
+            (tip == (thickness < 0.1 ? 1 : 0) ? 1 : 0));
   }
 }
 
