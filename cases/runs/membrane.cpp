@@ -382,18 +382,20 @@ std::optional<double> linear_theory_off(const plate::Formulation& plate, const p
   constexpr double least = 1e-6, small = 0.1, large = 10;  // thicknesses
   constexpr double some = 2500, many = 20000;  // points: a plate of more takes no factor, but fewer points for this
   const auto& problem = plate.problem();
-  if (!plate.offers(plate::Feature::stretching) || plate.distributed()) return std::nullopt;
+  if (!plate.offers(plate::Feature::stretching) || plate::has_prescribed_displacements(plate)) return std::nullopt;
   if (problem.unilateral() || problem.pushed() || problem.faces_touch()) return std::nullopt;
-  if (plate::has_prescribed_displacements(plate)) return std::nullopt;
   if (problem.coupled() || std::ranges::any_of(problem.stiffeners, &plate::Stiffener::stretches)) return std::nullopt;
-  const double share = state.row(0).cwiseAbs().maxCoeff() / plate.section().thickness;
+  const auto& map = plate.boundary().map;
+  const double share = plate::largest_of(map, state.row(0).cwiseAbs().maxCoeff()) / plate.section().thickness;
   const bool loaded = plate::loaded_in_plane(problem);  // small deflections may be those beside a buckling load
   if (!(share > (loaded ? least : small) && share < large)) return std::nullopt;
-  const auto points = double(plate.points());
-  const bool one_load = problem.load_cases.empty();
-  if (!one_load && points > many) return std::nullopt;
+  const bool one_load = problem.load_cases.empty(), parted = plate.distributed();
+  const auto points =
+      parted ? double(plate::count_of_all(map, std::ranges::count(map.owned, 1))) : double(plate.points());
+  if (!one_load && (parted || points > many)) return std::nullopt;
   try {
-    if (one_load && points > 2 * some) return linear_theory_off_by(problem, std::sqrt(points / some));
+    if (one_load && (parted || points > 2 * some))  // every process solves the same
+      return linear_theory_off_by(problem, std::sqrt(std::max(1.0, points / some)));
     const auto made = membrane ? nullptr : plate.middle_plane();
     const auto& plane = membrane ? *membrane : *made;
     const plate::Forces load = in_plane.cols() > 0 ? in_plane : plate::zero_state(plane.points());

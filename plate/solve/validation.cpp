@@ -86,6 +86,38 @@ void check_memory(const Formulation& plate, const Analysis& analysis, Validation
              spacing, plate.points(), bytes / 1e9, there / 1e9, spacing * std::sqrt(bytes / there))});
 }
 
+/// Largest temperature of a face, less that without stress, where each load acts so many times.
+double temperature_of(const Problem& problem, const std::vector<double>& times) {
+  double mean = 0, difference = 0;
+  for (std::size_t i = 0; i < problem.loads.size(); ++i)
+    if (const auto* heat = problem.loads[i].as<Temperature>())
+      mean += times[i] * heat->mean, difference += times[i] * heat->value;
+  return std::abs(mean) + std::abs(difference) / 2;
+}
+
+/// The load case or combination that is hottest, in words, and its temperature; of one load without words.
+std::pair<std::string, double> hottest(const Problem& problem) {
+  std::vector<std::vector<double>> of_cases;  // how often each load acts
+  for (std::size_t i = 0; i < problem.load_cases.size(); ++i) {
+    auto& times = of_cases.emplace_back(problem.loads.size(), 0);
+    for (const auto load : loads_of(problem, i)) times[load] = 1;
+  }
+  if (of_cases.empty()) return {"", temperature_of(problem, std::vector<double>(problem.loads.size(), 1))};
+  std::pair<std::string, double> result{"", 0};
+  const auto look = [&](const std::string& name, const std::vector<double>& times) {
+    if (const double there = temperature_of(problem, times); there > result.second) result = {" in " + name, there};
+  };
+  for (std::size_t i = 0; i < of_cases.size(); ++i) look("case " + problem.load_cases[i].name, of_cases[i]);
+  for (const auto& combination : problem.combinations) {
+    const auto factors = factors_of(combination, problem.load_cases);
+    std::vector<double> times(problem.loads.size(), 0);
+    for (std::size_t i = 0; i < of_cases.size(); ++i)
+      for (std::size_t k = 0; k < times.size(); ++k) times[k] += factors[i] * of_cases[i][k];
+    look("combination " + combination.name, times);
+  }
+  return result;
+}
+
 /// Warns of temperatures that strain a section beyond small strains: most often an expansion without its power of ten.
 void check_thermal_strain(const Formulation& plate, Validation& result) {
   constexpr double small = 0.05;
@@ -95,13 +127,10 @@ void check_thermal_strain(const Formulation& plate, Validation& result) {
   for (const auto& ply : section.plies)
     for (const auto& alpha : {ply.alpha1, ply.alpha2})
       expansion = std::max(expansion, std::abs(alpha.value_or(section.thermal_expansion)));
-  double strain = 0;
-  for (const auto& load : problem.loads)
-    if (const auto* heat = load.as<Temperature>())
-      strain = std::max({strain, expansion * std::abs(heat->mean), expansion * std::abs(heat->value) / 2});
-  if (strain > small)
+  const auto [where, temperature] = hottest(problem);
+  if (const double strain = expansion * temperature; strain > small)
     result.warnings.push_back(fmt::format(
-        "temperatures strain the plate by {:.2g}, beyond small strains; set {}", strain,
+        "temperatures strain the plate by {:.2g}{}, beyond small strains; set {}", strain, where,
         section.expands_by_plies() ? "a smaller alpha1 or alpha2 of its plies" : "a smaller `thermal_expansion`"));
 }
 

@@ -49,6 +49,23 @@ TEST_CASE("suitability: temperatures that strain a plate beyond small strains ar
   CHECK(told("12", "load=[{kind=\"temperature\", value=0, mean=40}]") == 1);
 }
 
+TEST_CASE("suitability: load cases and combinations that are hot are told by their names") {
+  const auto told = [](const std::string& factor) {
+    const auto c = read(plain, {"discretization.spacing=0.1", "section.thermal_expansion=1e-5", "-load",
+                                "case=[{name=\"sun\", load=[{kind=\"temperature\", value=0, mean=4000}]}, "
+                                "{name=\"fire\", load=[{kind=\"temperature\", value=1000, mean=-500}]}]",
+                                "combination=[{name=\"both\", of={sun=1, fire=" + factor + "}}]"})
+                       .content;
+    for (const auto& warning : plate::validate(*plate::discretise(c).plate, c.analysis).warnings)
+      if (warning.find("beyond small strains") != std::string::npos) return warning;
+    return std::string();
+  };
+  CHECK(told("1").empty());                                                        // 0.03 + 0.01
+  CHECK_THAT(told("-1"), Catch::Contains("by 0.05 in combination both, beyond"));  // 0.045 + 0.005
+  CHECK_THAT(told("8"), Catch::Contains("in combination both"));
+  CHECK_THAT(told("-2"), Catch::Contains("by 0.06 in combination both"));
+}
+
 TEST_CASE("suitability: four cells across, and enough thickness for single precision") {
   const std::vector<std::string> moving{"section.density=1", "discretization.formulation=ordinary"};
   CHECK(errors(moving, 0.5).empty());
