@@ -28,22 +28,54 @@ bool add(TriangleMesh& mesh, const Point& x, double wanted, std::int32_t& at) {
   return true;
 }
 
-/// The nodes of a crack straight behind its end, by their distance; where the distance of points grows.
-std::vector<double> radii(const Curves& curves, const Sizing& sizing, const Point& tip, const Point& back) {
-  std::vector<double> all, result;
+/// A ring of points about the end of a crack through a node behind it.
+struct RingThrough {
+  double radius;
+  Point back;  // unit vector from the end to the node
+};
+
+/// The nodes that follow the end of a curve, as far as its pieces bend by at most fifteen degrees.
+std::vector<Point> nodes_of_curve(const Curves& curves, const Point& tip, const Point& first) {
+  constexpr double straight = 0.9659;  // cosine
+  std::vector<Point> result{tip, first};
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    const Point at = result.back(), along = (at - result[result.size() - 2]).normalized();
+    for (const auto& piece : curves.pieces)
+      for (const auto& [k, other] : {std::pair(piece.from, piece.to), std::pair(piece.to, piece.from)}) {
+        if (goes_on || piece.edge != Curves::crack || curves.nodes[k] != at) continue;
+        const Point step = curves.nodes[other] - at;
+        if (step.dot(along) <= straight * step.norm()) continue;
+        result.push_back(curves.nodes[other]), goes_on = true;
+      }
+    if (result.size() > curves.nodes.size()) break;
+  }
+  return {result.begin() + 1, result.end()};
+}
+
+/// Rings through the nodes of a crack behind its end, by their distance, where the distance of points grows: nodes
+/// straight behind it, or else of a curve.
+std::vector<RingThrough> rings_behind(const Curves& curves, const Sizing& sizing, const Point& tip, const Point& back,
+                                      const Point& first) {
+  std::vector<RingThrough> all, result;
   for (const auto& piece : curves.pieces)
     for (const auto k : {piece.from, piece.to}) {
       const Point x = curves.nodes[k] - tip;
       if (piece.edge == Curves::crack && back.dot(x) > 0 && std::abs(cross(back, x)) < 1e-6 * x.norm())
-        all.push_back(back.dot(x));
+        all.push_back({back.dot(x), back});
     }
-  std::sort(all.begin(), all.end());
+  const auto bent = all.size() > 2 ? std::vector<Point>() : nodes_of_curve(curves, tip, first);  // one counts twice
+  if (bent.size() > 1) {
+    all.clear();
+    for (const auto& node : bent) all.push_back({(node - tip).norm(), (node - tip).normalized()});
+  }
+  std::ranges::sort(all, {}, &RingThrough::radius);
   double size = sizing(tip), last = 0;
-  for (const double r : all) {
-    const double here = sizing(tip + r * back);
+  for (const auto& [r, direction] : all) {
+    const double here = sizing(tip + r * direction);
     if (here < size || here >= 1) break;
     if (r - last < 0.5 * size) continue;  // a node counts twice
-    result.push_back(last = r), size = here;
+    result.push_back({r, direction}), last = r, size = here;
   }
   return result;
 }
@@ -81,7 +113,8 @@ void add_rings(TriangleMesh& mesh, const Curves& curves, const Sizing& sizing, c
     if (start == TriangleMesh::none) continue;
     std::array<std::int32_t, 2> at{start, start};  // triangles that were changed last, on either side
     double r = 0;
-    for (const double next : radii(curves, sizing, tip, back)) add_ring(mesh, sizing, tip, back, r = next, at);
+    for (const auto& [next, direction] : rings_behind(curves, sizing, tip, back, *from))
+      add_ring(mesh, sizing, tip, direction, r = next, at);
     for (double size = sizing(tip - r * back); size < 1;) {
       r += 0.95 * sizing(tip - (r + size / 2) * back);
       const double here = sizing(tip - r * back);

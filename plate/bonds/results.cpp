@@ -119,16 +119,25 @@ public:
       if (!moves) continue;
       for (const int sign : {1, -1}) {
         std::vector<FamilyBond> bonds;
-        for (const auto [j, id] : plate.families[k])
-          bonds.push_back({plate.families.vectors()[id] + sign * step * (extension(j) - own) * frame.ahead,
+        // along a curve the axes of a point turn with it: by how much the other one turns more
+        std::vector<double> turns;
+        for (const auto [j, id] : plate.families[k]) {
+          const double more = sign * step * (extension(j) - own);
+          bonds.push_back({plate.families.vectors()[id] + more * frame.velocity(plate.positions[j]),
                            plate.shapes[id].weight * plate.areas[j]});
+          turns.push_back(more * frame.curvature);
+        }
         const auto weights = position_aware(plate.section, bonds);
         const double share = -sign * plate.areas[k] * (1 + sign * step * divergence) / (2 * step);
         RingPoint point{k, share, weights.a, bonds_.size(), 0};
         for (std::size_t i = 0; i < bonds.size(); ++i) {
           const double length = bonds[i].vector.norm();
-          bonds_.push_back({plate.families[k][i].neighbour, bonds[i].vector.y() / length, -bonds[i].vector.x() / length,
-                            length, weights.bonds[i]});
+          bonds_.push_back({.j = plate.families[k][i].neighbour,
+                            .mx = bonds[i].vector.y() / length,
+                            .my = -bonds[i].vector.x() / length,
+                            .length = length,
+                            .turn = turns[i],
+                            .weights = weights.bonds[i]});
         }
         point.end = bonds_.size();
         points_.push_back(point);
@@ -143,7 +152,9 @@ public:
       double energy = 0, dilatation = 0;
       for (auto b = point.begin; b < point.end; ++b) {
         const Bond& bond = bonds_[b];
-        const auto other = u(bond.j);
+        auto other = u(bond.j);
+        if (bond.turn != 0)
+          other = {other.w, other.theta_x - bond.turn * other.theta_y, other.theta_y + bond.turn * other.theta_x};
         const double curvature = curvature_difference(bond, own, other);
         dilatation += bond.weights.D * curvature;
         energy += bond_energy(bond.weights.B, bond.weights.S, curvature, shear_difference(bond, own, other));
@@ -157,6 +168,7 @@ private:
   struct Bond {
     std::uint32_t j;
     double mx, my, length;
+    double turn;  // of the rotations of j [rad]
     BondWeights weights;
   };
   struct RingPoint {

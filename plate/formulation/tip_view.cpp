@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/shape/smooth_curve.hpp"
+
 namespace plate {
 namespace {
 
@@ -17,8 +19,27 @@ int face_of(double y, const geometry::Point& left, double spacing) {
   return towards > 0 ? 1 : -1;
 }
 
+geometry::Point TipFrame::by_circle(const geometry::Point& x) const {
+  const auto at = local(x);
+  if (curvature == 0) return at;
+  const double along = curvature * at.x(), aside = 1 - curvature * at.y();
+  return {std::atan2(along, aside) / curvature, (1 - std::hypot(along, aside)) / curvature};
+}
+
+geometry::Point TipFrame::beside(const geometry::Point& x) const {
+  const auto at = by_circle(x);
+  if (curve.empty() || at.x() >= 0) return at;
+  return {at.x(), geometry::signed_distance(curve, x)};
+}
+
 Polar polar(const TipFrame& frame, const geometry::Point& x, double spacing) {
   const auto at = frame.local(x);
+  if (!frame.curve.empty()) {  // the angle goes on beyond pi as far as the face does
+    const double angle = std::atan2(at.y(), at.x());
+    if (std::abs(angle) < std::numbers::pi / 2) return {at.norm(), angle};
+    const bool left = geometry::signed_distance(frame.curve, x) > 0;
+    return {at.norm(), angle + (left == angle > 0 ? 0 : left ? 2 * std::numbers::pi : -2 * std::numbers::pi)};
+  }
   if (at.x() < 0 && std::abs(at.y()) <= on_line * spacing)
     return {-at.x(), face_of(0, frame.left(), spacing) * std::numbers::pi};
   return {at.norm(), std::atan2(at.y(), at.x())};

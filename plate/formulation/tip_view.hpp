@@ -10,13 +10,27 @@
 
 namespace plate {
 
-/// Axes at a crack tip: x' straight ahead, y' 90 degrees to its left.
+/// Axes at a crack tip: x' straight ahead, y' 90 degrees to its left. The crack behind the tip is straight, or a curve
+/// that follows a circle there.
 struct TipFrame {
   geometry::Point origin, ahead;
+  double curvature = 0;        // of that circle, positive where it bends to the left [1 / length]
+  geometry::Polyline curve{};  // the curve as it is drawn, towards the tip; empty where the crack is straight
 
-  explicit TipFrame(const geometry::Tip& tip) : origin(tip.position), ahead(tip.direction) {}
+  TipFrame(const geometry::Tip& tip) : origin(tip.position), ahead(tip.direction) {}
   geometry::Point left() const { return {-ahead.y(), ahead.x()}; }
   geometry::Point local(const geometry::Point& x) const { return {ahead.dot(x - origin), left().dot(x - origin)}; }
+  /// Velocity of a place that goes with the tip as it moves on with unit speed: about the centre of the circle, along
+  /// which the crack then slides in itself (theory, "Curved cracks").
+  geometry::Point velocity(const geometry::Point& x) const {
+    if (curvature == 0) return ahead;
+    const geometry::Point from = x - origin;
+    return ahead + curvature * geometry::Point(-from.y(), from.x());
+  }
+  /// Place beside the circle: the way ahead along it, and the distance to its left [length].
+  geometry::Point by_circle(const geometry::Point& x) const;
+  /// Place beside the crack as it is drawn: the way ahead along it, and the distance to its left [length].
+  geometry::Point beside(const geometry::Point& x) const;
 };
 
 /// Side of the crack on which geometry::separates puts a point: +1 for y' > 0, -1 for y' < 0. A point on the line

@@ -30,7 +30,7 @@ using geometry::Point;
 class PointEnergyRelease : public EnergyRelease {
 public:
   PointEnergyRelease(const TipView& plate, const geometry::Tessellation& cells, const TipFrame& frame, const Ring& ring)
-      : section_(plate.section.at(frame.origin)), step_(1e-4 * plate.spacing) {
+      : section_(plate.section.at(frame.origin)), step_(1e-4 * plate.spacing), curvature_(frame.curvature) {
     geometry::Tessellation about{cells.units, cells.graded, {}, {}, {}, {}, {}, {}};
     std::unordered_map<std::uint32_t, std::uint32_t> index;
     const auto near = [&](const auto& cell) {
@@ -50,36 +50,43 @@ public:
     for (const auto& square : cells.squares) add(square, about.squares);
     for (const auto& triangle : cells.triangles) add(triangle, about.triangles);
 
-    std::vector<double> extension;
-    for (const auto k : points_) extension.push_back(ring.extension((plate.positions[k] - frame.origin).norm()));
+    for (const auto k : points_) extension_.push_back(ring.extension((plate.positions[k] - frame.origin).norm()));
     for (const int sign : {1, -1}) {
       about.local.clear();
       for (std::size_t i = 0; i < points_.size(); ++i)
-        about.local.push_back(cells.local[points_[i]] + sign * step_ * extension[i] * frame.ahead);
+        about.local.push_back(cells.local[points_[i]] +
+                              sign * step_ * extension_[i] * frame.velocity(plate.positions[points_[i]]));
       moved_[sign > 0 ? 0 : 1] = moved_galerkin_families(about);
     }
-    find_changed(extension);
+    find_changed();
   }
 
   double operator()(const NearField& u) const override {
-    State state(unknowns_per_point, Eigen::Index(points_.size()));
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto own = u(points_[i]);
-      state.col(Eigen::Index(i)) << own.w, own.theta_x, own.theta_y;
-    }
+    const State ahead = turned(u, step_ * curvature_), back = turned(u, -step_ * curvature_);
     double sum = 0;
     for (const auto i : changed_)
-      sum += family_energy(moved_[1], section_, i, state) - family_energy(moved_[0], section_, i, state);
+      sum += family_energy(moved_[1], section_, i, back) - family_energy(moved_[0], section_, i, ahead);
     return sum / (2 * step_);
   }
 
 private:
+  /// The state at the points of the ring, whose rotations turn with the extension: `angle` where that is 1 [rad].
+  State turned(const NearField& u, double angle) const {
+    State state(unknowns_per_point, Eigen::Index(points_.size()));
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto own = u(points_[i]);
+      const double turn = angle * extension_[i];
+      state.col(Eigen::Index(i)) << own.w, own.theta_x - turn * own.theta_y, own.theta_y + turn * own.theta_x;
+    }
+    return state;
+  }
+
   /// Points whose families, or the areas of their members, are not only carried along.
-  void find_changed(const std::vector<double>& extension) {
+  void find_changed() {
     const auto& families = moved_[0].families;
     std::vector<char> deformed(points_.size(), 0);
     for (std::size_t i = 0; i < points_.size(); ++i)
-      for (const auto& bond : families[i]) deformed[i] = deformed[i] || extension[bond.neighbour] != extension[i];
+      for (const auto& bond : families[i]) deformed[i] = deformed[i] || extension_[bond.neighbour] != extension_[i];
     for (std::size_t i = 0; i < points_.size(); ++i) {
       bool changed = deformed[i];
       for (const auto& bond : families[i]) changed = changed || deformed[bond.neighbour];
@@ -88,8 +95,9 @@ private:
   }
 
   LocalSection section_;  // the same all over the ring
-  double step_;
+  double step_, curvature_;
   std::vector<std::uint32_t> points_;  // of the plate, by the numbers of the moved families
+  std::vector<double> extension_;      // of these points
   GalerkinFamilies moved_[2];          // one step ahead, one step back
   std::vector<std::size_t> changed_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/shape/smooth_curve.hpp"
+
 namespace plate {
 
 void join_loads(Problem& problem) {
@@ -56,7 +58,16 @@ std::vector<Support> resolved_supports(const Problem& problem) {
 }
 
 std::vector<geometry::CrackPath> crack_paths(const Problem& problem) {
-  return geometry::crack_paths(problem.outline, problem.cracks, geometry::tolerance(problem.outline));
+  const double tolerance = geometry::tolerance(problem.outline);
+  const auto& d = problem.discretization;
+  auto cracks = problem.cracks;
+  for (std::size_t i = 0; d.spacing > 0 && i < cracks.size(); ++i)
+    cracks[i] = geometry::drawn(problem.cracks, i, tolerance, [&](const geometry::Point& x) {
+      const auto& own = problem.cracks[i];
+      const double from_end = std::min((x - own.front()).norm(), (x - own.back()).norm());
+      return std::min(d.spacing, d.spacing_at_tips() + (d.tip_spacing ? d.spacing_growth * from_end : 0));
+    });
+  return geometry::crack_paths(problem.outline, cracks, tolerance);
 }
 
 }  // namespace plate

@@ -3,6 +3,7 @@
 #include "plate/formulation/tip_view.hpp"
 #include "plate/model/dense_algebra.hpp"
 #include "plate/model/state.hpp"
+#include "post/factors/tip_integrals.hpp"
 #include "post/factors/tip_section.hpp"
 
 #include <Eigen/LU>
@@ -22,15 +23,15 @@ struct PointByCrack {
   int face;  // +1 upper (y' > 0), -1 lower
 };
 
-std::vector<PointByCrack> points_by_crack(const std::vector<Point>& positions, const geometry::Tip& tip, double window,
-                                          double height, double spacing) {
-  const Point normal(-tip.direction.y(), tip.direction.x());
+std::vector<PointByCrack> points_by_crack(const std::vector<Point>& positions, const plate::TipFrame& frame,
+                                          double window, double height, double spacing) {
   std::vector<PointByCrack> found;
   for (std::uint32_t k = 0; k < positions.size(); ++k) {
-    const Point x = positions[k] - tip.position;
-    const double r = -x.dot(tip.direction), y = x.dot(normal);
+    if ((positions[k] - frame.origin).norm() > window + 2 * spacing + height) continue;
+    const Point x = frame.beside(positions[k]);
+    const double r = -x.x(), y = x.y();
     if (r > -2 * spacing && r < window + 2 * spacing && std::abs(y) < height)
-      found.push_back({k, r, y, plate::face_of(y, normal, spacing)});
+      found.push_back({k, r, y, plate::face_of(y, frame.left(), spacing)});
   }
   return found;
 }
@@ -127,9 +128,11 @@ std::variant<DisplacementExtrapolation, std::string> DisplacementExtrapolation::
                                                                                    const OpeningFit& how) {
   DisplacementExtrapolation result(tip, scale, how);
   const auto& v = path.vertices;
+  const auto frame = frame_of(path, tip, scale.spacing, scale.section.isotropic());
   const double straight = tip.at_back ? (v.back() - v[v.size() - 2]).norm() : (v.front() - v[1]).norm();
-  const double window = std::min(how.window, straight);
-  const auto by_crack = points_by_crack(positions, tip, window, (how.rows + 1.5) * scale.spacing, scale.spacing);
+  const double unbent = frame.curve.empty() ? straight : unbent_length(frame, scale.spacing);
+  const double window = std::min(how.window, unbent);
+  const auto by_crack = points_by_crack(positions, frame, window, (how.rows + 1.5) * scale.spacing, scale.spacing);
   const double upper = how.points_on_faces ? 0 : first_row(by_crack, 1, scale.spacing);
   const double lower = how.points_on_faces ? 0 : first_row(by_crack, -1, scale.spacing);
 
@@ -140,7 +143,8 @@ std::variant<DisplacementExtrapolation, std::string> DisplacementExtrapolation::
   int skipped = 0;
   for (const double r : r_of_samples) {
     if (skipped++ < how.skip) continue;
-    Sample sample{r + shift, {}, {}};
+    const double turned = frame.curvature * r;
+    Sample sample{r + shift, std::cos(turned) * frame.ahead - std::sin(turned) * frame.left(), {}, {}};
     for (const int face : {1, -1})
       for (int row = 0; row < how.rows; ++row) {
         // with two rows: 3/2 of the first less 1/2 of the second, for rows 1/2 and 3/2 spacings off the crack
@@ -164,11 +168,10 @@ std::variant<DisplacementExtrapolation, std::string> DisplacementExtrapolation::
 }
 
 Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
-  const Point ahead = tip_.direction, left(-ahead.y(), ahead.x());
-
   Eigen::MatrixX3d K(static_cast<Eigen::Index>(samples_.size()), 3);
   std::vector<double> r;
   for (const Sample& sample : samples_) {
+    const Point ahead = sample.ahead, left(-ahead.y(), ahead.x());
     Eigen::Vector3d jump = Eigen::Vector3d::Zero();
     for (const plate::Share& share : sample.jump) jump += share.weight * state.col(share.point);
     const Point rotation(jump[1], jump[2]);

@@ -58,7 +58,8 @@ public:
 
 private:
   struct Sample {
-    double r;                         // distance behind the tip [length]
+    double r;                         // distance behind the tip, along the crack [length]
+    geometry::Point ahead;            // direction of the crack there
     std::vector<plate::Share> jump;   // upper face minus lower face
     std::vector<plate::Share> lever;  // the same shares times their distance y' from the crack [length]
   };

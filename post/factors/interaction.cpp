@@ -166,7 +166,7 @@ Eigen::Vector3d interaction_of_free_curvatures(const TipView& plate, const geome
     const Point slope = plate.extension_slope(k, frame, ring);
     const double q = ring.extension(place.r);
     if (q == 0 && slope == Point(0, 0)) continue;
-    const Eigen::Vector3d held = stiffness * free.col(k), change = change_ahead(plate, k, frame.ahead, free);
+    const Eigen::Vector3d held = stiffness * free.col(k), change = change_ahead(plate, k, frame, free);
     Eigen::Matrix2d moments;
     moments << held[0], held[2], held[2], held[1];
     const auto rotations = fields.rotations(place);

@@ -65,6 +65,11 @@ double reach_of_elastic_supports(const plate::Problem& c) {
   return result;
 }
 
+/// True where the methods follow a crack that is a curve: the fields about its tip are known for isotropic sections.
+bool follows_curves(const plate::Problem& c) {
+  return c.section.isotropic();
+}
+
 /// Distance from a tip to the next point force, line load, pin, spring, stiffener or support inside [length].
 double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
   double result = INFINITY;
@@ -95,7 +100,8 @@ double undisturbed_distance(const plate::Problem& c, const geometry::Tip& tip) {
 double clear_distance(const plate::Problem& c, const std::vector<geometry::CrackPath>& paths,
                       const geometry::Tip& tip) {
   const double spacing = c.discretization.spacing_at_tips();
-  const double clear = std::min(clear_distance(c.outline, paths, tip, spacing), undisturbed_distance(c, tip));
+  const double clear =
+      std::min(clear_distance(c.outline, paths, tip, spacing, follows_curves(c)), undisturbed_distance(c, tip));
   // families next to where the section changes have some of both
   return std::min(clear, std::max(0.0, c.section.uniform_within(tip.position) - spacing));
 }
@@ -111,16 +117,20 @@ TipPlace place_of(const plate::Problem& c, const std::vector<geometry::CrackPath
   const bool heated = std::ranges::any_of(
       c.loads, [](const plate::Load& load) { return load.as<plate::Temperature>() && load.formula().given(); });
   const double undisturbed = std::min(undisturbed_distance(c, tip), 2 * reach_of_elastic_supports(c));
-  return {.tip = tip,
+  const auto frame = frame_of(paths[tip.crack], tip, d.spacing_at_tips(), follows_curves(c));
+  return {.tip = {tip.position, frame.ahead, tip.crack, tip.at_back},
           .path = paths[tip.crack],
           .clear = clear,
           .narrowest = clear,
           .undisturbed = undisturbed,
           .faces = faces,
           .heated = heated,
-          .tied = std::ranges::any_of(c.foundations, [&](const auto& foundation) {
-            return foundation.shear > 0 && (!foundation.patch || distance_to(*foundation.patch, tip.position) == 0);
-          })};
+          .tied = std::ranges::any_of(c.foundations,
+                                      [&](const auto& foundation) {
+                                        return foundation.shear > 0 &&
+                                               (!foundation.patch || distance_to(*foundation.patch, tip.position) == 0);
+                                      }),
+          .frame = frame};
 }
 
 }  // namespace
@@ -150,7 +160,7 @@ std::optional<double> tip_spacing_for(const plate::Problem& problem) {
   plate::Problem fine = problem;       // bends count, however slight
   const double spacing = problem.discretization.spacing;
   fine.discretization.tip_spacing = 1e-6 * spacing;
-  const auto paths = plate::crack_paths(problem);
+  const auto paths = plate::crack_paths(fine);
   const auto tips = geometry::tips(paths);
   if (tips.empty()) return std::nullopt;
   const double clear = std::min(least_clear_distance(fine, paths, tips), reach_of_elastic_supports(problem));
@@ -470,7 +480,8 @@ std::vector<std::string> warnings_about_ligaments(const plate::Formulation& plat
   constexpr double resolved = 2;  // spacings
   const double spacing = plate.discretization().spacing_at_tips();
   for (const auto& tip : plate.tips()) {
-    const double clear = clear_distance(plate.problem().outline, plate.paths(), tip, spacing);
+    const double clear =
+        clear_distance(plate.problem().outline, plate.paths(), tip, spacing, follows_curves(plate.problem()));
     if (clear >= resolved * spacing) continue;
     warnings.push_back(fmt::format(
         "tip at ({:g}, {:g}): the next edge, crack or bend is {:.2g} spacings away: errors may exceed their estimates; "

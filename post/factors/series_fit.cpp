@@ -75,17 +75,23 @@ Powers d_dconj(const Powers& f) {
 /// 4 w_zz* = Psi_z + conj(...), 2 (1 - nu) Psi_zz* + (1 + nu) (Psi_z + conj(...))_z* = s (Psi - 2 w_z*).
 class TipSeries::Maker {
 public:
-  Maker(double poisson, double s) : nu_(poisson), s_(s) {}
+  Maker(double poisson, double s, double curvature) : nu_(poisson), s_(s), curvature_(curvature) {}
 
   std::vector<Field> fields(int order, bool heated) {
     std::vector<Field> result;
+    const auto take = [&](Field field) {
+      if (curvature_ != 0) bend(field);
+      result.push_back(std::move(field));
+    };
     for (const bool even : {true, false}) {
-      sign_ = even ? 1 : -1;
-      for (int n = 0; n <= order; ++n) result.push_back(series(eigenfunction(n), {}, n, n));
+      const auto begin = [&] { sign_ = even ? 1 : -1; };
+      for (int n = 0; n <= order; ++n) begin(), take(series(eigenfunction(n), {}, n, n));
       if (s_ == 0) continue;  // nothing couples psi to w
       for (int p = even ? 0 : 1; p <= order + 2; ++p)
-        if (p % 2 == (even ? 0 : 1)) result.push_back(series(harmonic(p), p - 2));
-      if (even) result.push_back(series(Powers(4, {{2, 0.25}}), 2));  // w = r^2 / 4: an even load
+        if (p % 2 == (even ? 0 : 1)) begin(), take(series(harmonic(p), p - 2));
+      begin();
+      if (even) take(series(Powers(4, {{2, 0.25}}), 2));  // w = r^2 / 4: an even load
+      begin();
       // psi = z^2 / 2 has the curvature kappa_0 = x' and no moments, i psi that of -y'
       if (heated) result.push_back(series(Powers(4, {{4, 0.5}}), {}, 4, 4));
     }
@@ -152,8 +158,8 @@ private:
     return Powers(p, {{p, 0.5}, {0, sign_ * 0.5}});
   }
 
-  /// w of degree n/2 + 1 with lap w = div psi, psi of degree n/2, and Q_y = 0 on the faces.
-  Powers deflection(const Powers& psi, int n) const {
+  /// w of degree n/2 + 1 with lap w = div psi, psi of degree n/2, and w,y - psi_y = `slip` on the upper face.
+  Powers deflection(const Powers& psi, int n, double slip = 0) const {
     Powers w(n + 2);
     d_dz(psi).for_each([&](int a, int b, double c) {
       const double part = c / ((a + 2) * (b + 2));  // of 4 (a/2 + 1) (b/2 + 1)
@@ -162,12 +168,13 @@ private:
     });
     const auto own = harmonic(n + 2);
     const double reached = slope_across(own, 1);
-    if (reached != 0) add(w, own, (at(psi, 1)[1] - slope_across(w, 1)) / reached);
+    if (reached != 0) add(w, own, (at(psi, 1)[1] - slope_across(w, 1) + slip) / reached);
     return w;
   }
 
-  /// psi of degree n/2 + 2 that answers psi of degree n/2, if any, and w of degree n/2 + 1, with free faces.
-  Powers rotation(const std::optional<Powers>& psi, const Powers& w, int n) const {
+  /// psi of degree n/2 + 2 that answers psi of degree n/2, if any, and w of degree n/2 + 1, with free faces but for the
+  /// moment M_xy on the upper one.
+  Powers rotation(const std::optional<Powers>& psi, const Powers& w, int n, double twist = 0) const {
     Powers source(n), result(n + 4);
     if (psi) add(source, *psi, s_);
     add(source, d_dconj(w), -2 * s_);
@@ -181,7 +188,7 @@ private:
     const auto own = plane(n + 4);
     const Eigen::Matrix2Xd faces = face_moments(own);
     const Eigen::Index row = faces.row(0).norm() > faces.row(1).norm() ? 0 : 1;
-    const double missing = -moments_at(result, 1)[row], square = faces.row(row).squaredNorm();
+    const double missing = (row == 1 ? twist : 0) - moments_at(result, 1)[row], square = faces.row(row).squaredNorm();
     for (std::size_t i = 0; i < own.size(); ++i) add(result, own[i], missing * faces(row, Eigen::Index(i)) / square);
     return result;
   }
@@ -205,6 +212,50 @@ private:
     }
     result.at(twice_a + 2) = X;
     if (twice_a != twice_b + 2) result.at(twice_b + 4) = Y;
+  }
+
+  /// The terms of one degree of a sum.
+  static Powers of_degree(const std::vector<Term>& terms, int degree) {
+    Powers result(degree);
+    for (const auto& term : terms)
+      if (term.twice_p == degree) result.at((degree + term.twice_q) / 2) = term.c;
+    return result;
+  }
+
+  /// What a field of free faces on the line leaves on those of a curve y = curvature x^2 / 2, to the first order: M_xy
+  /// and w,y - psi_y at r = 1 on the upper face, of degrees m and m + 1 for psi of degree m = n/2; and M_xy by the
+  /// shear, of degree m + 2.
+  struct Left {
+    double twist, slip, twist_of_shear;
+  };
+  Left left_on_curve(const Field& field, int n) const {
+    const auto psi = of_degree(field.psi, n), w = of_degree(field.w, n + 2);
+    const double m = n / 2.0, divergence = 2 * at(d_dz(psi), 1)[0], half = curvature_ / 2;
+    const double along = (1 + nu_) / 2 * divergence + (1 - nu_) * at(d_dconj(psi), 1)[0];  // M_xx
+    const double shear = 2 * at(d_dz(w), 1)[0] - at(psi, 1)[0];                            // w,x - psi_x
+    const double load = 4 * at(d_dconj(d_dz(w)), 1)[0] - divergence;                       // lap w - div psi
+    return {-half * (m + 1) * along, -half * ((m + 2) * shear + load), half * s_ * shear};
+  }
+
+  /// Adds the terms of the other symmetry by which the faces are free on the curve too, to the first order of its
+  /// curvature.
+  void bend(Field& field) {
+    int first = 1000, last = 0;
+    for (const auto& term : field.psi) first = std::min(first, term.twice_p), last = std::max(last, term.twice_p);
+    for (const auto& term : field.w) first = std::min(first, term.twice_p - 2);
+    std::optional<Powers> psi;
+    Powers w(first);
+    double twist_of_shear = 0;
+    for (int n = first; n <= last; n += 4) {  // psi is of the degree n + 2 here, and w of n + 4
+      sign_ = field.even ? 1 : -1;
+      const auto left = left_on_curve(field, n);
+      sign_ = -sign_;
+      const auto next = n < 0 ? Powers(n + 2) : rotation(psi, w, n - 2, left.twist + twist_of_shear);
+      const auto deflected = deflection(next, n + 2, left.slip);
+      append(field.psi_of_curve, next);
+      if (s_ != 0) append(field.w_of_curve, deflected), w = deflected, psi = next;
+      twist_of_shear = left.twist_of_shear;
+    }
   }
 
   /// The series that begins with w of degree n/2 + 1.
@@ -236,13 +287,14 @@ private:
     });
   }
 
-  double nu_, s_;
+  double nu_, s_, curvature_;
   double sign_ = 1;  // of even fields; -1 of odd ones, where conjugation changes the sign
 };
 
-TipSeries::TipSeries(const plate::Section& section, double radius, int order, bool heated) : radius_(radius) {
+TipSeries::TipSeries(const plate::Section& section, double radius, int order, bool heated, double curvature)
+    : radius_(radius) {
   const double D = section.bending_stiffness(), S = section.shear_stiffness();
-  Maker maker(section.poisson, S * radius * radius / D);
+  Maker maker(section.poisson, S * radius * radius / D, curvature * radius);
   const auto fields = maker.fields(order, heated);
   factors_.resize(3, Eigen::Index(fields.size()));
   const double root = std::sqrt(2 * radius);
@@ -260,9 +312,10 @@ TipSeries::Half TipSeries::half(const std::vector<Field>& fields, bool even) {
   int largest = 0;  // p, and |q| <= p + 6
   const auto for_each_term = [&](const auto& visit) {
     for (std::size_t n = 0; n < fields.size(); ++n)
-      for (const auto* terms : {&fields[n].w, &fields[n].psi})
-        for (const auto& term : *terms)
-          if (fields[n].even == even) visit(n, terms == &fields[n].w, term);
+      for (const bool of_w : {true, false})
+        for (const auto& term : fields[n].even == even ? (of_w ? fields[n].w : fields[n].psi)
+                                                       : (of_w ? fields[n].w_of_curve : fields[n].psi_of_curve))
+          visit(n, of_w, term);
   };
   for_each_term([&](std::size_t, bool, const Term& term) { largest = std::max(largest, term.twice_p); });
   const int width = 2 * largest + 13;
@@ -286,7 +339,7 @@ TipSeries::Half TipSeries::half(const std::vector<Field>& fields, bool even) {
 
 Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
   const auto count = Eigen::Index(places.size());
-  Eigen::MatrixXd result(plate::unknowns_per_point * count, size());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(plate::unknowns_per_point * count, size());
   for (const bool even : {true, false}) {
     const Half& half = even ? even_ : odd_;
     Eigen::MatrixXd x(count, Eigen::Index(half.terms.size())), y(count, x.cols());
@@ -311,9 +364,8 @@ Eigen::MatrixXd TipSeries::operator()(const std::vector<Polar>& places) const {
     const Eigen::MatrixXd first = (even ? x : y) * half.psi * (even ? 1 : -1), second = (even ? y : x) * half.psi;
     for (std::size_t i = 0; i < half.fields.size(); ++i)
       for (Eigen::Index k = 0; k < count; ++k)
-        result.col(half.fields[i]).segment<plate::unknowns_per_point>(plate::index_by_points(k, 0))
-            << w(k, Eigen::Index(i)),
-            first(k, Eigen::Index(i)), second(k, Eigen::Index(i));
+        result.col(half.fields[i]).segment<plate::unknowns_per_point>(plate::index_by_points(k, 0)) +=
+            plate::PointValues(w(k, Eigen::Index(i)), first(k, Eigen::Index(i)), second(k, Eigen::Index(i)));
   }
   return result;
 }
@@ -335,7 +387,8 @@ std::vector<std::uint32_t> points_within(const TipView& plate, const TipFrame& f
     const Point x = frame.local(plate.positions[k]);
     const double r = x.norm();
     if (r < range.inner * (1 - rounding) || r > range.outer * (1 + rounding)) continue;
-    if (x.x() < 0 && std::abs(x.y()) < plate.doubtful) continue;
+    if (x.x() < 0 && std::abs(frame.curve.empty() ? x.y() : frame.beside(plate.positions[k]).y()) < plate.doubtful)
+      continue;
     result.push_back(k);
   }
   // more points than the fields need cost time only
@@ -360,12 +413,11 @@ Eigen::MatrixXd rows_of(Eigen::MatrixXd fields, const Eigen::Matrix3Xd& factors)
 
 }  // namespace
 
-std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& tip, const FitRange& range,
+std::vector<SeriesFit> series_fits(const TipView& plate, const TipFrame& frame, const FitRange& range,
                                    const std::vector<double>& shares, bool heated) {
-  const TipFrame frame(tip);
   const auto points = points_within(plate, frame, range);
-  const plate::Section section = plate.section.at(tip.position);
-  const TipSeries series(section, range.outer, range.order, heated);
+  const plate::Section section = plate.section.at(frame.origin);
+  const TipSeries series(section, range.outer, range.order, heated, frame.curvature);
   std::vector<Polar> places;
   for (const auto k : points) places.push_back(polar(frame, plate.positions[k], plate.spacing));
   const Eigen::MatrixXd fields = series(places);

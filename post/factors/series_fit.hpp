@@ -18,8 +18,9 @@ class TipSeries {
 public:
   /// Constructs all fields that begin with a power r^(n/2) of psi or r^(n/2+1) of w, n <= order, and are bounded. They
   /// are made for distances up to `radius` [length]. `heated`: two more, of free curvatures kappa_0 that grow straight
-  /// ahead and to the left.
-  TipSeries(const plate::Section& section, double radius, int order, bool heated = false);
+  /// ahead and to the left. `curvature`: of the crack behind the tip [1 / length], to whose first order the faces of
+  /// all fields but the heated ones are free (theory.md, "Curved cracks").
+  TipSeries(const plate::Section& section, double radius, int order, bool heated = false, double curvature = 0);
 
   Eigen::Index size() const { return Eigen::Index(orders_.size()); }
   /// The n with which every field begins.
@@ -41,6 +42,7 @@ private:
     bool even;  // w in y'
     int order;
     std::vector<Term> w, psi;
+    std::vector<Term> w_of_curve = {}, psi_of_curve = {};  // of the other symmetry
   };
   /// The fields of one symmetry: what they take (columns) of the same terms.
   struct Half {
@@ -77,7 +79,7 @@ struct SeriesFit {
 
 /// Fits over `range` and over the given shares of it, as far as these hold enough points: 1 is the first. `heated`: by
 /// temperatures that vary about the tip.
-std::vector<SeriesFit> series_fits(const TipView& plate, const geometry::Tip& tip, const FitRange& range,
+std::vector<SeriesFit> series_fits(const TipView& plate, const TipFrame& frame, const FitRange& range,
                                    const std::vector<double>& shares, bool heated = false);
 
 /// The range that serves a tip best, `clear` [length] being free about it: as large as the series allows.

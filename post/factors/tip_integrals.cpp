@@ -3,25 +3,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/shape/smooth_curve.hpp"
 #include "plate/model/section.hpp"
 
 namespace post {
 
 using geometry::Point;
 
-Eigen::Vector3d change_ahead(const TipView& plate, std::uint32_t k, const Point& ahead, const FreeCurvatures& free) {
+Eigen::Vector3d change_ahead(const TipView& plate, std::uint32_t k, const TipFrame& frame, const FreeCurvatures& free) {
   Eigen::Vector3d result(0, 0, 0);
+  const Point ahead = frame.velocity(plate.positions[k]);
   const auto shares = plate.gradient_shares(k);
   for (std::size_t i = 0; i < shares.bonds.size(); ++i)
     if (const auto j = shares.bonds[i].neighbour; j < plate.plate_points)
       result += shares.share.col(Eigen::Index(i)).dot(ahead) * (free.col(j) - free.col(k));
-  return result;
+  if (frame.curvature == 0) return result;
+  // seen from axes that turn with the tip: J K - K J of the symmetric K = (xx, yy, 2 xy), which turns the other way
+  const Eigen::Vector3d own = free.col(k);
+  return result + frame.curvature * Eigen::Vector3d(own[2], -own[2], 2 * (own[1] - own[0]));
 }
+
+namespace {
+
+/// What psi = (-theta_y, theta_x) changes by where the axes turn with a tip that moves along a curve: kappa J psi
+/// [1 / length].
+Point turned(const TipFrame& frame, const plate::Kinematics<>& at) {
+  return frame.curvature * Point(-at.theta_x, -at.theta_y);
+}
+
+}  // namespace
 
 /// The strain energy is that of kappa - kappa_0; the field is carried along with the tip, while kappa_0 stays where it
 /// is.
 double release_of_free_curvatures(const TipView& plate, const TipFrame& frame, const Ring& ring,
-                                  const plate::State& field, const FreeCurvatures& free) {
+                                  const plate::State& field, const NearField& near, const FreeCurvatures& free) {
   const auto stiffness = plate::LocalSection(plate.section.at(frame.origin)).bending;
   double sum = 0;
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
@@ -35,15 +50,17 @@ double release_of_free_curvatures(const TipView& plate, const TipFrame& frame, c
     const Eigen::Vector3d kappa(psi(0, 0), psi(1, 1), psi(0, 1) + psi(1, 0)), own = free.col(k), M = stiffness * own;
     Eigen::Matrix2d held;
     held << M[0], M[2], M[2], M[1];
-    const double carried = -(psi * frame.ahead).dot(held * slope) + (kappa - own / 2).dot(M) * slope.dot(frame.ahead);
-    const double left = (kappa - own).dot(stiffness * change_ahead(plate, k, frame.ahead, free));
+    const Point ahead = frame.velocity(plate.positions[k]);
+    const double carried =
+        -(psi * ahead - turned(frame, near(k))).dot(held * slope) + (kappa - own / 2).dot(M) * slope.dot(ahead);
+    const double left = (kappa - own).dot(stiffness * change_ahead(plate, k, frame, free));
     sum += plate.areas[k] * (carried + ring.extension(r) * left);
   }
   return sum;
 }
 
-TipSurroundings::TipSurroundings(const TipView& plate, const geometry::Tip& tip, double radius)
-    : plate_(&plate), frame_(tip) {
+TipSurroundings::TipSurroundings(const TipView& plate, const TipFrame& frame, double radius)
+    : plate_(&plate), frame_(frame) {
   for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
     const double r = (plate.positions[k] - frame_.origin).norm();
     if (r < radius) points_.push_back(k);
@@ -71,32 +88,39 @@ Eigen::VectorXd TipSurroundings::forward_work(const plate::State& state, const p
     if (f.isZero(0)) continue;
     const auto gradients = plate_->gradients(k, state);
     const auto own = field(k);
-    const double w_slope = frame_.ahead.dot(gradients.shear + Point(-own.theta_y, own.theta_x));  // gamma + psi
-    result[Eigen::Index(i)] = f[0] * w_slope + f.tail<2>().dot(gradients.theta * frame_.ahead);
+    const Point ahead = frame_.velocity(plate_->positions[k]);
+    const double w_slope = ahead.dot(gradients.shear + Point(-own.theta_y, own.theta_x));  // gamma + psi
+    const Point turn = frame_.curvature * Point(-own.theta_y, own.theta_x);                // kappa J theta
+    result[Eigen::Index(i)] = f[0] * w_slope + f.tail<2>().dot(gradients.theta * ahead - turn);
   }
   return result;
 }
 
 namespace {
 
-/// Values of a field at a point for the domain integral: gradients of psi, shear angles and dw/dx' [1/length, 1, 1].
+/// Values of a field at a point for the domain integral: gradients of psi, shear angles and changes ahead.
 struct PointStrains {
   Eigen::Matrix2d psi = Eigen::Matrix2d::Zero();  // row: psi_x, psi_y; column: d/dx, d/dy
   geometry::Point gamma{0, 0};
-  double w_slope = 0;
+  double w_slope = 0;               // along the velocity, of w
+  geometry::Point psi_ahead{0, 0};  // of psi
 };
 
 /// The points of a ring and the classical integral over them (theory (48)).
 class DomainIntegral : public EnergyRelease {
 public:
   DomainIntegral(const TipView& plate, const TipFrame& frame, const Ring& ring)
-      : shapes_(plate.shapes), section_(plate.section.at(frame.origin)), ahead_(frame.ahead) {
+      : shapes_(plate.shapes), section_(plate.section.at(frame.origin)), frame_(frame) {
     for (std::uint32_t k = 0; k < plate.plate_points; ++k) {
       const Point x = plate.positions[k] - frame.origin;
       if (x.norm() > 2 * ring.outer) continue;
       const Point slope = plate.extension_slope(k, frame, ring);
       if (slope != Point(0, 0))
-        points_.push_back({k, plate.areas[k] * slope, plate.shear_stiffness(k), plate.gradient_shares(k)});
+        points_.push_back({.k = k,
+                           .slope = plate.areas[k] * slope,
+                           .ahead = frame.velocity(plate.positions[k]),
+                           .shear_stiffness = plate.shear_stiffness(k),
+                           .shares = plate.gradient_shares(k)});
     }
   }
 
@@ -110,6 +134,7 @@ private:
   struct RingPoint {
     std::uint32_t k;
     Point slope;                      // area times grad q
+    Point ahead;                      // velocity with the tip
     Eigen::Matrix2d shear_stiffness;  // [force / length]
     plate::GradientShares shares;
   };
@@ -124,39 +149,46 @@ private:
       result.psi += Point(own.theta_y - other.theta_y, other.theta_x - own.theta_x) * share.transpose();
       result.gamma += share * shear_difference(shapes_[bond.vector_id], own, other);
     }
-    result.w_slope = (result.gamma + Point(-own.theta_y, own.theta_x)).dot(ahead_);
+    result.w_slope = (result.gamma + Point(-own.theta_y, own.theta_x)).dot(point.ahead);
+    result.psi_ahead = result.psi * point.ahead - turned(frame_, own);
     return result;
   }
 
-  /// A (M_ab psi_a,x' + Q_b w,x' - W delta_bx') q,b.
+  /// A (M_ab psi_a,x' + Q_b w,x' - W delta_bx') q,b; along a curve x' is the velocity, and the axes turn with it.
   double release(const RingPoint& point, const PointStrains& u) const {
     const Eigen::Vector3d M = section_.bending * Eigen::Vector3d(u.psi(0, 0), u.psi(1, 1), u.psi(0, 1) + u.psi(1, 0));
     Eigen::Matrix2d moments;
     moments << M[0], M[2], M[2], M[1];
     const Point shear = point.shear_stiffness * u.gamma;
     const double energy = (moments.cwiseProduct(u.psi).sum() + shear.dot(u.gamma)) / 2;
-    return point.slope.dot(moments * (u.psi * ahead_) + shear * u.w_slope - energy * ahead_);
+    return point.slope.dot(moments * u.psi_ahead + shear * u.w_slope - energy * point.ahead);
   }
 
   const std::vector<plate::BondShape>& shapes_;
   plate::LocalSection section_;  // the same all over the ring
-  Point ahead_;
+  TipFrame frame_;
   std::vector<RingPoint> points_;
 };
 
-/// Length over which the crack runs straight back from its tip; another end of it counts at 0.7 of its distance,
-/// because the field there is singular too (an integral over a ring up to the other tip of a crack 25 spacings long was
-/// 1.5 % off).
-double straight_length(const geometry::CrackPath& path, const geometry::Tip& tip, double spacing) {
-  auto vertices = path.vertices;
-  if (tip.at_back) std::reverse(vertices.begin(), vertices.end());
+/// Length over which the crack runs back from its tip straight, or on a circle; another end of it counts at 0.7 of its
+/// distance, because the field there is singular too (an integral over a ring up to the other tip of a crack 25
+/// spacings long was 1.5 % off). `vertices`: from the tip on.
+double unbent_length(const geometry::Polyline& vertices, const TipFrame& frame, double spacing, double share_of_end) {
+  constexpr double turn = 0.5;  // of a circle [rad]
+  constexpr double off = 0.01;  // a curve may leave its circle by this share of the distance from the tip
   for (std::size_t i = 1; i < vertices.size(); ++i) {
-    const Point x = vertices[i] - tip.position;
-    const double aside = std::abs(x.x() * tip.direction.y() - x.y() * tip.direction.x());
-    if (aside > spacing / 4) return (vertices[i - 1] - tip.position).norm();
+    const Point x = vertices[i] - frame.origin;
+    const bool bent = frame.curvature != 0;
+    const double aside =
+        std::abs(bent ? frame.by_circle(vertices[i]).y() : x.x() * frame.ahead.y() - x.y() * frame.ahead.x());
+    const double reached = (vertices[i - 1] - frame.origin).norm();
+    if (bent && x.norm() * std::abs(frame.curvature) > turn) {
+      const geometry::Polyline rest(vertices.begin() + std::ptrdiff_t(i), vertices.end());
+      return std::min(turn / std::abs(frame.curvature), 0.7 * geometry::distance(rest, frame.origin));
+    }
+    if (aside > std::max(spacing / 4, bent ? off * x.norm() : 0)) return reached;
   }
-  const bool ends_in_plate = (tip.at_back ? path.front : path.back) != geometry::End::mouth;
-  return (ends_in_plate ? 0.7 : 1.0) * (vertices.back() - tip.position).norm();
+  return share_of_end * (vertices.back() - frame.origin).norm();
 }
 
 }  // namespace
@@ -165,9 +197,26 @@ std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFr
   return std::make_unique<DomainIntegral>(plate, frame, ring);
 }
 
+TipFrame frame_of(const geometry::CrackPath& path, const geometry::Tip& tip, double spacing, bool curved) {
+  TipFrame result(tip);
+  const auto circle = curved ? geometry::tip_circle(path, tip.at_back, spacing) : std::nullopt;
+  if (!circle) return result;
+  result.ahead = circle->direction, result.curvature = circle->curvature, result.curve = path.vertices;
+  if (!tip.at_back) std::ranges::reverse(result.curve);
+  return result;
+}
+
+double unbent_length(const TipFrame& frame, double spacing) {
+  return unbent_length({frame.curve.rbegin(), frame.curve.rend()}, frame, spacing, 0.7);
+}
+
 double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,
-                      const geometry::Tip& tip, double spacing) {
-  double clear = straight_length(paths[tip.crack], tip, spacing);
+                      const geometry::Tip& tip, double spacing, bool curved) {
+  const auto& path = paths[tip.crack];
+  auto vertices = path.vertices;
+  if (tip.at_back) std::reverse(vertices.begin(), vertices.end());
+  const bool ends_in_plate = (tip.at_back ? path.front : path.back) != geometry::End::mouth;
+  double clear = unbent_length(vertices, frame_of(path, tip, spacing, curved), spacing, ends_in_plate ? 0.7 : 1.0);
   for (const auto& edge : geometry::straight_edges(outline))
     clear = std::min(clear, geometry::distance({edge.from, edge.to}, tip.position));
   for (const auto& circle : geometry::circles(outline))

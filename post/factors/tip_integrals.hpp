@@ -16,21 +16,20 @@ std::unique_ptr<EnergyRelease> domain_integral(const TipView& plate, const TipFr
 /// deflections give, where displacements are -psi [3 x points].
 using FreeCurvatures = Eigen::Matrix3Xd;
 
-/// Change of free curvatures straight ahead at a point, by its family.
-Eigen::Vector3d change_ahead(const TipView& plate, std::uint32_t k, const geometry::Point& ahead,
-                             const FreeCurvatures& free);
+/// Change of free curvatures ahead at a point, by its family.
+Eigen::Vector3d change_ahead(const TipView& plate, std::uint32_t k, const TipFrame& frame, const FreeCurvatures& free);
 
 /// Contribution to -dU/da of a ring of free curvatures that vary about a tip (theory (80)) [force]. `field`: less a
-/// free curvature of the whole plate, as `free`.
+/// free curvature of the whole plate, as `free`; `near`: the same field.
 double release_of_free_curvatures(const TipView& plate, const TipFrame& frame, const Ring& ring,
-                                  const plate::State& field, const FreeCurvatures& free);
+                                  const plate::State& field, const NearField& near, const FreeCurvatures& free);
 
 /// Data shared by all integrals about a tip: the points that their extensions may move, and the work of the forces
 /// there.
 class TipSurroundings {
 public:
   /// Constructs from all points within `radius` of the tip, the nearest first. `plate` must outlive this.
-  TipSurroundings(const TipView& plate, const geometry::Tip& tip, double radius);
+  TipSurroundings(const TipView& plate, const TipFrame& frame, double radius);
 
   const std::vector<std::uint32_t>& points() const { return points_; }
   const std::vector<std::uint32_t>& centre() const { return centre_; }  // within two spacings of the tip
@@ -63,10 +62,16 @@ private:
   std::unique_ptr<EnergyRelease> release_;
 };
 
-/// Distance from a tip within which the plate is whole but for its own crack, which is straight there: from edges,
-/// holes, other cracks, other ends and bends of its own [length].
+/// Axes at a tip, of which the crack behind it may be a curve. `curved`: false takes every crack as straight pieces.
+TipFrame frame_of(const geometry::CrackPath& path, const geometry::Tip& tip, double spacing, bool curved = true);
+
+/// Length over which the curve of a tip follows its circle, by at most half a radian [length].
+double unbent_length(const TipFrame& frame, double spacing);
+
+/// Distance from a tip within which the plate is whole but for its own crack, which is straight there or follows a
+/// circle by at most half a radian: from edges, holes, other cracks, other ends and bends of its own [length].
 double clear_distance(const geometry::Outline& outline, const std::vector<geometry::CrackPath>& paths,
-                      const geometry::Tip& tip, double spacing);
+                      const geometry::Tip& tip, double spacing, bool curved = true);
 
 /// The tip moved half way between the points on either side of the last sixteen spacings of the crack: on a lattice,
 /// the crack is what parts the points, wherever between them it is drawn.

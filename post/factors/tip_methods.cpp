@@ -51,6 +51,11 @@ double turn_of_stairs(const geometry::Point& ahead, double spacing, double reach
   return std::tan(angle) < spacing / reach ? angle : 0;
 }
 
+/// The axes of a tip: of a straight crack half way between the points on either side of it.
+TipFrame placed(const TipPlace& place, const TipView& plate) {
+  return place.frame.curve.empty() ? TipFrame(centred(place.tip, plate)) : place.frame;
+}
+
 /// Largest outer radius of the rings that fit [length].
 double largest_radius(double clear, double spacing, bool graded) {
   double result = 0;
@@ -84,13 +89,13 @@ private:
                   const SrifOptions& options);
   std::string add_opening(std::vector<DisplacementExtrapolation>& openings,
                           const std::vector<geometry::Point>& positions, const TipPlace& place, const OpeningFit& how);
-  std::string add_integral(SrifMethod method, const geometry::Tip& tip, double clear, bool first_ring_only);
+  std::string add_integral(SrifMethod method, double clear, bool first_ring_only);
   /// `heat`: what heat that varies adds to G of a ring.
   Srif of(const Integral& integral, std::size_t rings, const Eigen::Vector3d& mix, const NearField& field,
           const Eigen::VectorXd& forward_work, const std::function<double(const Ring&)>& heat) const;
   std::size_t rings_of(const Integral& integral, bool all) const;
   Srif by_fit(const std::vector<FitSrif>& fits) const;
-  void fit(const geometry::Tip& tip, const TipPlace& place, bool first_only);
+  void fit(const TipFrame& frame, const TipPlace& place, bool first_only);
   PlateScale scale() const { return {at_.section, view_->spacing, view_->horizon, view_->points_on_faces}; }
   std::vector<FitSrif> fitted(const NearField& field) const;
   /// Interaction integrals of a plate in its plane whose deflections stretch it: its fields are no free ones.
@@ -119,9 +124,9 @@ TipMethods::AtTip::AtTip(std::shared_ptr<const TipView> view, const TipPlace& pl
       at_(view_->section.at(place.tip.position), place.tip.direction),
       shares_(shares_of(*view_, place, at_.section)),
       methods_(options.methods),
-      surroundings_(*view_, centred(place.tip, *view_), largest_radius(place.clear, view_->spacing, view_->graded)) {
+      surroundings_(*view_, placed(place, *view_), largest_radius(place.clear, view_->spacing, view_->graded)) {
   const TipView& plate = *view_;
-  if (!std::ranges::all_of(methods_, of_opening)) fit(centred(place.tip, plate), place, options.first_ring_only);
+  if (!std::ranges::all_of(methods_, of_opening)) fit(surroundings_.frame(), place, options.first_ring_only);
   const std::vector<geometry::Point> positions(plate.positions.begin(),
                                                plate.positions.begin() + std::ptrdiff_t(plate.plate_points));
   for (const auto method : methods_)
@@ -139,7 +144,7 @@ std::string TipMethods::AtTip::add(SrifMethod method, const std::vector<geometry
   if (method == SrifMethod::series_fit) return no_fit_;
   if (method == SrifMethod::opening_series) return add_opening(openings_, positions, place, series_fit(scale()));
   if (of_opening(method)) return add_opening(openings_, positions, place, paper_fit(scale(), options));
-  return add_integral(method, centred(place.tip, *view_), place.clear, options.first_ring_only);
+  return add_integral(method, place.clear, options.first_ring_only);
 }
 
 std::string TipMethods::AtTip::add_opening(std::vector<DisplacementExtrapolation>& openings,
@@ -151,9 +156,9 @@ std::string TipMethods::AtTip::add_opening(std::vector<DisplacementExtrapolation
   return "";
 }
 
-std::string TipMethods::AtTip::add_integral(SrifMethod method, const geometry::Tip& tip, double clear,
-                                            bool first_ring_only) {
+std::string TipMethods::AtTip::add_integral(SrifMethod method, double clear, bool first_ring_only) {
   const TipView& plate = *view_;
+  const TipFrame& frame = surroundings_.frame();
   Integral result{method, rings(clear, plate.spacing, plate.graded), {}};
   if (first_ring_only && !result.rings.empty()) result.rings.erase(result.rings.begin() + 1, result.rings.end());
   if (result.rings.empty())
@@ -161,15 +166,14 @@ std::string TipMethods::AtTip::add_integral(SrifMethod method, const geometry::T
                        clear / plate.spacing, plate.points_on_faces ? "`tip_spacing`" : "`spacing`", clear / 5);
   for (const auto& ring : result.rings)
     result.integrals.emplace_back(surroundings_, ring,
-                                  method == SrifMethod::virtual_crack_extension
-                                      ? plate.virtual_extension(TipFrame(tip), ring)
-                                      : domain_integral(plate, TipFrame(tip), ring));
+                                  method == SrifMethod::virtual_crack_extension ? plate.virtual_extension(frame, ring)
+                                                                                : domain_integral(plate, frame, ring));
   integrals_.push_back(std::move(result));
   return "";
 }
 
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
-void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, bool first_only) {
+void TipMethods::AtTip::fit(const TipFrame& frame, const TipPlace& place, bool first_only) {
   // the fields of a force are singular: their series converges slowly towards it
   const double clear = std::min(place.clear, place.undisturbed / 2);
   const TipView& plate = *view_;
@@ -177,7 +181,7 @@ void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, boo
     no_fit_ = "series_fit: all fields about a tip are known for isotropic sections alone";
     auto around = rings(place.clear, plate.spacing, plate.graded);
     if (first_only && !around.empty()) around.resize(1);
-    fits_ = interaction_integrals(plate, tip, at_, around);
+    fits_ = interaction_integrals(plate, {frame.origin, frame.ahead, tip_.crack, tip_.at_back}, at_, around);
     return;
   }
   const auto range = fit_range(at_.section, clear, plate.spacing, plate.graded);
@@ -190,8 +194,8 @@ void TipMethods::AtTip::fit(const geometry::Tip& tip, const TipPlace& place, boo
     return;
   }
   const bool heated = place.heated && plate.points_on_faces;  // with bonds two more fields cost more than they give
-  fits_ = series_fits(plate, tip, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5}, heated);
-  shares_.turn = plate.trust.stairs * turn_of_stairs(tip.direction, plate.spacing, range->outer);
+  fits_ = series_fits(plate, frame, *range, first_only ? std::vector{1.0} : std::vector{1.0, 0.65, 0.5}, heated);
+  shares_.turn = plate.trust.stairs * turn_of_stairs(frame.ahead, plate.spacing, range->outer);
   if (fits_.empty()) no_fit_ = "series_fit: too few points about the tip for a fit of its fields; refine";
 }
 
@@ -290,7 +294,7 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
   std::function<double(const Ring&)> heat;
   if (free)
     heat = [&](const Ring& ring) {
-      return release_of_free_curvatures(*view_, surroundings_.frame(), ring, state, *free);
+      return release_of_free_curvatures(*view_, surroundings_.frame(), ring, state, field, *free);
     };
   std::vector<Srif> found;
   for (const auto method : methods_) {

@@ -2,16 +2,13 @@
 #include <memory>
 
 #include "geometry/shape/crack_path.hpp"
+#include "plate/formulation/tip_view.hpp"
 #include "plate/model/state.hpp"
 #include "post/factors/srif.hpp"
 
-namespace plate {
-class TipView;
-}
-
 namespace post {
 
-using plate::TipView;
+using plate::TipFrame, plate::TipView;
 
 /// Surroundings of a tip.
 struct TipPlace {
@@ -23,6 +20,7 @@ struct TipPlace {
   double faces;            // spacing of the points on the faces, where `clear` ends [length]
   bool heated = false;     // by temperatures that vary over the plate
   bool tied = false;       // a shear layer below holds the deflections of both faces together
+  TipFrame frame{tip};     // of the crack behind the tip
   double known_error = 0;  // of all factors, whatever the field about the tip says, as a share of the largest
 };
 

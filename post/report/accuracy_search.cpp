@@ -24,8 +24,8 @@ namespace {
 /// Distance from any tip to what disturbs its field; the side of the plate without tips.
 double exact_clear_distance(const plate::Problem& problem, double side) {
   plate::Problem fine = problem;  // bends count, however slight
-  fine.discretization.tip_spacing = 1e-6 * side;
-  const auto paths = plate::crack_paths(problem);
+  fine.discretization.spacing = side, fine.discretization.tip_spacing = 1e-6 * side;
+  const auto paths = plate::crack_paths(fine);
   return std::min(side, least_clear_distance(fine, paths, geometry::tips(paths)));
 }
 

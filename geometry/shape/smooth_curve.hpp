@@ -1,0 +1,42 @@
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "geometry/shape/crack_path.hpp"
+
+/// Cracks that are curves. A curve is given by points on it; it is the smooth line through these, which has the circle
+/// through every three neighbours as its tangent circle. It is kept as a fine polyline, with bends below half a degree,
+/// and drawn by pieces as long as the points of a plate are apart.
+namespace geometry {
+
+/// A crack that was read as a curve.
+struct SmoothCrack {
+  Polyline vertices;        // the fine polyline; corners stay
+  double largest_bend = 0;  // between the pieces that were given [rad]
+  std::size_t pieces = 0;   // that were given of curves
+};
+
+/// The smooth curve through the vertices of a crack, wherever at least five bends of at most ten degrees follow each
+/// other, as a fine polyline. Points at which other cracks end on it stay on it. Nothing where no part of it is such a
+/// curve, or where it is a fine polyline already.
+std::optional<SmoothCrack> smooth_crack(const std::vector<Polyline>& cracks, std::size_t which, double tolerance);
+
+/// A crack whose curves, kept as fine polylines, are drawn anew by pieces as long as `size` says at a place [length].
+/// Ends of other cracks on it stay vertices. Other parts stay as they are.
+Polyline drawn(const std::vector<Polyline>& cracks, std::size_t which, double tolerance,
+               const std::function<double(const Point&)>& size);
+
+/// The circle that a curve follows behind its tip.
+struct TipCircle {
+  Point direction;   // straight ahead
+  double curvature;  // positive where the crack behind the tip bends to the left of `direction` [1 / length]
+};
+
+/// The circle through the last three vertices of a crack whose last pieces are shorter than five spacings and bend by
+/// at most fifteen degrees; nothing where its end is straight or has a kink.
+std::optional<TipCircle> tip_circle(const CrackPath& path, bool at_back, double spacing);
+
+/// A place beside a polyline: the distance from it, positive on its left.
+double signed_distance(const Polyline& line, const Point& x);
+
+}  // namespace geometry
