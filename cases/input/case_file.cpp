@@ -70,6 +70,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   check_case(content, reading);
   if (!reading.problems().empty()) throw CaseError(reading.problems());
   merge_cracks(content, reading);
+  smooth_cracks(content, reading);
   resolve_grading(content, reading);
   look_at_proportions(content, reading);
   if (content.srif && content.srif->accuracy)

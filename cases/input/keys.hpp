@@ -36,6 +36,8 @@ struct Output;
 Fields<plate::Section> section_fields();
 void check_section(const Value& section, plate::Section& content);
 Fields<plate::Problem> geometry_fields();
+/// Cracks of the geometry: polylines, and curves as fine polylines.
+Field<plate::Problem> cracks_field();
 Fields<plate::CrackFaces> crack_fields();
 /// A circle or a polygon; what each is for.
 Fields<geometry::Hole> hole_fields(const std::string& round, const std::string& polygonal);
@@ -70,6 +72,9 @@ const std::vector<Key>& keys();
 void snap_cracks(Case& content, Reading& reading);
 /// Gives every crack one description (geometry::merged), and notes what was joined. Of a case without problems.
 void merge_cracks(Case& content, Reading& reading);
+/// Takes polylines that are drawn as curves are for curves (geometry::smooth_crack), and notes that. Of a case without
+/// problems.
+void smooth_cracks(Case& content, Reading& reading);
 /// Notes a thickness that no plate has beside its sides. Of a case without problems.
 void look_at_proportions(const Case& content, Reading& reading);
 

@@ -84,17 +84,6 @@ Fields<Outline> outline_fields() {
   };
 }
 
-void read_cracks(const Value& given, plate::Problem& content) {
-  for (const auto& crack : given.elements("a list of polylines [ [[x, y], [x, y]], ... ]"))
-    if (const auto points = crack.points()) content.cracks.push_back(*points);
-}
-
-std::string cracks_text(const plate::Problem& content) {
-  std::vector<std::string> texts;
-  for (const auto& crack : content.cracks) texts.push_back(text_of(crack));
-  return texts.empty() ? "" : fmt::format("[{}]", fmt::join(texts, ", "));
-}
-
 }  // namespace
 
 Fields<Hole> hole_fields(const std::string& round, const std::string& polygonal) {
@@ -137,10 +126,7 @@ Fields<plate::Problem> geometry_fields() {
                       hole_fields("round hole; the holes are the edges hole0, hole1, ...",
                                   "polygonal hole; all its edges are one, hole0, hole1, ..."),
                       check_hole),
-      value<P>(
-          {"cracks", "length", "[ [[x, y], [x, y], ...], ... ]", "",
-           "polylines; an end inside the plate is a tip, one on an edge or hole a mouth, one on a crack a junction"},
-          read_cracks, cracks_text),
+      cracks_field(),
   };
 }
 

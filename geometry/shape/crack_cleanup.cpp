@@ -1,6 +1,7 @@
 #include "geometry/shape/crack_cleanup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -41,6 +42,23 @@ Nearest nearest(const Outline& outline, const std::vector<Polyline>& cracks, std
 
 }  // namespace
 
+namespace {
+
+/// Vertex of a crack before its end; of a curve, whose pieces only say how it is drawn, one some pieces before.
+Point before_end(const Polyline& line, bool at_back) {
+  constexpr std::size_t pieces = 16;
+  constexpr double slight = 0.01;  // bends [rad]
+  const auto from_end = [&](std::size_t i) -> const Point& { return at_back ? line[line.size() - 1 - i] : line[i]; };
+  std::size_t i = 1;
+  for (; i < pieces && i + 1 < line.size(); ++i) {
+    const Point one = from_end(i) - from_end(i - 1), next = from_end(i + 1) - from_end(i);
+    if (const double turn = std::abs(std::atan2(cross(one, next), one.dot(next))); turn == 0 || turn > slight) break;
+  }
+  return from_end(i == pieces ? i : 1);
+}
+
+}  // namespace
+
 Snapped snapped(const Outline& outline, std::vector<Polyline> cracks, double reach) {
   constexpr double share = 1e-3;  // of the segment: far above rounding to five digits, far below what is drawn
   const double touching = tolerance(outline);
@@ -50,7 +68,7 @@ Snapped snapped(const Outline& outline, std::vector<Polyline> cracks, double rea
     if (v.size() < 2) continue;
     for (const bool at_back : {false, true}) {
       Point& x = at_back ? v.back() : v.front();
-      const Point& before = at_back ? v[v.size() - 2] : v[1];
+      const Point before = before_end(v, at_back);
       const auto found = nearest(outline, cracks, crack, x);
       if (found.distance <= touching || !(found.distance <= std::min(reach, share * (x - before).norm()))) continue;
       x = found.place;

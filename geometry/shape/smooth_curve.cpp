@@ -1,6 +1,8 @@
 #include "geometry/shape/smooth_curve.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -140,7 +142,6 @@ Polyline replaced(const Polyline& line, const std::vector<Run>& runs, const Part
   return result;
 }
 
-/// A fine polyline through points.
 Polyline fine(const Polyline& points) {
   constexpr double least = 16;  // pieces
   constexpr double even = 1.5;  // ratio of neighbouring pieces, before they are rounded
@@ -188,6 +189,83 @@ void draw(const LineThrough& line, std::size_t first, std::size_t last, const st
 }
 
 }  // namespace
+
+Polyline curve_through(const Polyline& points) {
+  return fine(points);
+}
+
+Polyline arc(const Point& centre, double radius, double from, double to) {
+  constexpr double least = 16;  // pieces
+  const double count = std::max(least, std::ceil(2 * std::abs(to - from) / finest_bend));
+  Polyline result;
+  for (double k = 0; k <= count; ++k) {
+    const double angle = from + k / count * (to - from);
+    result.push_back(centre + radius * Point(std::cos(angle), std::sin(angle)));
+  }
+  return result;
+}
+
+namespace {
+
+/// The four cubic B-splines that are not zero at t of `spans` equal spans over 0 to 1, and the first of them.
+std::pair<std::size_t, std::array<double, 4>> splines_at(double t, std::size_t spans) {
+  const double x = t * double(spans);
+  const auto span = std::min(std::size_t(x), spans - 1);
+  const double u = x - double(span), v = 1 - u;
+  return {span,
+          {v * v * v / 6, (3 * u * u * u - 6 * u * u + 4) / 6, (3 * v * v * v - 6 * v * v + 4) / 6, u * u * u / 6}};
+}
+
+/// Places along a polyline, 0 to 1.
+std::vector<double> places_along(const Polyline& points) {
+  std::vector<double> result{0};
+  for (std::size_t i = 1; i < points.size(); ++i) result.push_back(result.back() + (points[i] - points[i - 1]).norm());
+  for (double& t : result) t /= length(points);
+  return result;
+}
+
+/// Values of a sum of splines: at t.
+Point value(const Eigen::MatrixX2d& sum, double t) {
+  const auto [first, share] = splines_at(t, std::size_t(sum.rows()) - 3);
+  Point result(0, 0);
+  for (std::size_t i = 0; i < 4; ++i) result += share[i] * sum.row(Eigen::Index(first + i)).transpose();
+  return result;
+}
+
+/// Splines by least squares, with the ends of the points by their weight.
+Eigen::MatrixX2d splines_of(const Polyline& points, const std::vector<double>& t, std::size_t spans) {
+  constexpr double of_ends = 1e4;
+  const auto count = Eigen::Index(points.size());
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(count, Eigen::Index(spans) + 3);
+  Eigen::MatrixX2d wanted(count, 2);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double weight = k == 0 || k + 1 == count ? of_ends : 1;
+    const auto [first, share] = splines_at(t[std::size_t(k)], spans);
+    for (std::size_t i = 0; i < 4; ++i) basis(k, Eigen::Index(first + i)) = weight * share[i];
+    wanted.row(k) = weight * points[std::size_t(k)].transpose();
+  }
+  return basis.completeOrthogonalDecomposition().solve(wanted);
+}
+
+}  // namespace
+
+FittedCurve fitted_curve(const Polyline& points, double tolerance) {
+  const auto t = places_along(points);
+  FittedCurve result{points, 0, points.size() / 2};
+  for (std::size_t spans = 1; spans < points.size() / 2; ++spans) {
+    const auto sum = splines_of(points, t, spans);
+    const std::size_t pieces = 8 * spans;
+    Polyline drawn;
+    for (std::size_t i = 0; i <= pieces; ++i) drawn.push_back(value(sum, double(i) / double(pieces)));
+    drawn.front() = points.front(), drawn.back() = points.back();
+    const auto line = fine(drawn);
+    double off = 0;
+    for (const Point& x : points) off = std::max(off, distance(line, x));
+    if (off > tolerance) continue;
+    return {drawn, off, spans};
+  }
+  return result;
+}
 
 std::optional<SmoothCrack> smooth_crack(const std::vector<Polyline>& cracks, std::size_t which, double tolerance) {
   constexpr std::size_t least = 5;  // bends

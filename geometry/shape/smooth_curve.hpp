@@ -16,6 +16,23 @@ struct SmoothCrack {
   std::size_t pieces = 0;   // that were given of curves
 };
 
+/// The smooth curve through points, three at least, as a fine polyline. Corners are smoothed too.
+Polyline curve_through(const Polyline& points);
+
+/// An arc as a fine polyline, from one angle to another [rad]; clockwise where the second is the smaller one.
+Polyline arc(const Point& centre, double radius, double from, double to);
+
+/// A curve by points with an error.
+struct FittedCurve {
+  Polyline points;    // on the curve
+  double off = 0;     // the largest distance of a given point from it [length]
+  std::size_t spans;  // cubic ones; as many as half of the points: it follows their errors
+};
+
+/// The curve of the fewest cubic spans (B-spline, least squares) that passes all points within `tolerance` [length]
+/// and has their ends: points as they are read from a picture. Six points at least.
+FittedCurve fitted_curve(const Polyline& points, double tolerance);
+
 /// The smooth curve through the vertices of a crack, wherever at least five bends of at most ten degrees follow each
 /// other, as a fine polyline. Points at which other cracks end on it stay on it. Nothing where no part of it is such a
 /// curve, or where it is a fine polyline already.
