@@ -121,3 +121,44 @@ TEST_CASE("fields about a tip: free faces, and the factors of what is ahead") {
     CHECK(std::abs(root * Q - series.factors()(2, n)) < 1e-3 * size);
   }
 }
+
+TEST_CASE("fields about a tip: faces of a curve are free to the first order of its curvature") {
+  const auto left = [](const plate::Section& section, double curvature) {
+    const double nu = section.poisson;
+    const TipSeries series(section, 1, 6, false, curvature);
+    Eigen::ArrayXd worst = Eigen::ArrayXd::Zero(series.size());
+    for (const double r : {0.5, 0.9})
+      for (const int side : {1, -1}) {
+        const double step = 1e-3;
+        const auto at = [&](int i, int j) {
+          const double x = -r + i * step, y = curvature * r * r / 2 + j * step, angle = std::atan2(y, x);
+          const double on = side * angle > 0 ? angle : angle + side * 2 * std::numbers::pi;
+          return series({{std::hypot(x, y), on}});
+        };
+        const auto slope = [&](auto&& f) -> Eigen::Matrix3Xd {
+          return (8 * (f(1) - f(-1)) - (f(2) - f(-2))) / (12 * step);
+        };
+        const Eigen::Matrix3Xd value = at(0, 0), x = slope([&](int i) { return at(i, 0); }),
+                               y = slope([&](int j) { return at(0, j); });
+        const Eigen::Vector2d normal = Eigen::Vector2d(curvature * r, 1).normalized();
+        for (Eigen::Index n = 0; n < series.size(); ++n) {
+          Eigen::Matrix2d moments;
+          const double twist = (1 - nu) / 2 * (y(1, n) + x(2, n));
+          moments << x(1, n) + nu * y(2, n), twist, twist, y(2, n) + nu * x(1, n);
+          const Eigen::Vector2d shear(x(0, n) - value(1, n), y(0, n) - value(2, n));
+          const double size = moments.norm() + shear.norm() + 1e-3;
+          worst[n] = std::max(worst[n], ((moments * normal).norm() + std::abs(shear.dot(normal))) / size);
+        }
+      }
+    return worst;
+  };
+  for (const double thickness : {2.0, 50.0}) {
+    const plate::Section section{1000, 0.3, thickness, 5.0 / 6, 1};
+    const auto coarse = left(section, 0.1), fine = left(section, 0.05);
+    for (Eigen::Index n = 0; n < coarse.size(); ++n) {
+      CAPTURE(thickness, n, coarse[n], fine[n]);
+      CHECK(fine[n] <= 0.3 * coarse[n] + 1e-6);
+      CHECK(coarse[n] < 0.03);
+    }
+  }
+}
