@@ -145,17 +145,16 @@ SeriesFit over(const TipView& plate, const TipFrame& frame, const TipSection& at
 
 }  // namespace
 
-std::vector<SeriesFit> interaction_integrals(const TipView& plate, const geometry::Tip& tip, const TipSection& at,
+std::vector<SeriesFit> interaction_integrals(const TipView& plate, const TipFrame& frame, const TipSection& at,
                                              const std::vector<Ring>& rings) {
   std::vector<SeriesFit> result;
-  for (const auto& ring : rings) result.push_back(over(plate, TipFrame(tip), at, ring));
+  for (const auto& ring : rings) result.push_back(over(plate, frame, at, ring));
   return result;
 }
 
 /// M' : kappa_0 q,x' - M_0,ab psi'_a,x' q,b + q M' : kappa_0,x' of the moments M_0 of kappa_0 and fields psi', M'.
-Eigen::Vector3d interaction_of_free_curvatures(const TipView& plate, const geometry::Tip& tip, const TipSection& at,
+Eigen::Vector3d interaction_of_free_curvatures(const TipView& plate, const TipFrame& frame, const TipSection& at,
                                                const Ring& ring, const FreeCurvatures& free) {
-  const TipFrame frame(tip);
   const LeadingFields fields(at, frame.ahead);
   const auto stiffness = plate::LocalSection(at.section).bending;
   Eigen::Vector3d sum(0, 0, 0);

@@ -35,11 +35,11 @@ inline constexpr double interaction_error = 0.6;
 /// K1, K2, K3 by interaction integrals with the leading fields (theory.md, "Sections with directions"), over each of
 /// the rings; of sections of any kind that are the same all over the rings. Functionals of the state as those of fits.
 /// Loads in the ring are left out: they act on K3 alone, by what of them is odd about the crack.
-std::vector<SeriesFit> interaction_integrals(const TipView& plate, const geometry::Tip& tip, const TipSection& at,
+std::vector<SeriesFit> interaction_integrals(const TipView& plate, const TipFrame& frame, const TipSection& at,
                                              const std::vector<Ring>& rings);
 
 /// Part of free curvatures that vary in those of a ring.
-Eigen::Vector3d interaction_of_free_curvatures(const TipView& plate, const geometry::Tip& tip, const TipSection& at,
+Eigen::Vector3d interaction_of_free_curvatures(const TipView& plate, const TipFrame& frame, const TipSection& at,
                                                const Ring& ring, const FreeCurvatures& free);
 
 }  // namespace post

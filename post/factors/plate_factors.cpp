@@ -301,17 +301,22 @@ Eigen::LDLT<Eigen::MatrixXd> products_of(const plate::Formulation& plate,
   return plate::sum_of_ranks(plate, result).ldlt();
 }
 
-/// Pairs of places on the straight part of a crack behind its tip, the nearest first. Springs resist all jumps; faces
-/// that touch press on their opening alone. Collective: every rank must call each member function.
+/// Pairs of places behind a tip on the straight part of its crack, or as far as that follows a circle, the nearest
+/// first. Springs resist all jumps; faces that touch press on their opening alone. Collective: every rank must call
+/// each member function.
 class FacesBehind {
 public:
-  FacesBehind(const plate::Formulation& plate, const std::vector<plate::FacePair>& pairs, const geometry::Tip& tip)
+  FacesBehind(const plate::Formulation& plate, const std::vector<plate::FacePair>& pairs, const TipFrame& frame)
       : plate_(plate) {
     if (plate.problem().ties_faces()) acts_.setOnes();
+    const double spacing = plate.discretization().spacing_at_tips();
+    const double unbent = frame.curve.empty() ? 0 : unbent_length(frame, spacing);
     for (const auto& pair : pairs) {
-      const geometry::Point x = pair.position - tip.position;
-      const double behind = -tip.direction.dot(x);
-      if (behind > 0 && behind > (1 - 1e-6) * x.norm()) pairs_.push_back({behind, pair});
+      const geometry::Point x = frame.beside(pair.position);
+      const double behind = -x.x();
+      const bool on_crack =
+          frame.curve.empty() ? behind > (1 - 1e-6) * x.norm() : behind < unbent && std::abs(x.y()) < 1e-3 * spacing;
+      if (behind > 0 && on_crack) pairs_.push_back({behind, pair});
     }
     std::ranges::sort(pairs_, {}, &std::pair<double, plate::FacePair>::first);
     if (!pairs_.empty()) products_ = products_of(plate, pairs_);
@@ -418,9 +423,12 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
   if (pressed) {  // each tip needs forces of a state of its own, which all threads find together
     const auto pairs = plate.face_pairs();
     for (std::size_t tip = 0; tip < methods.size(); ++tip) {
-      const auto& at = plate.tips()[tip];
-      const FacesBehind faces(plate, pairs, at);
+      auto at = plate.tips()[tip];
+      const double spacing = plate.discretization().spacing_at_tips();
+      const auto frame = frame_of(plate.paths()[at.crack], at, spacing, follows_curves(plate.problem()));
+      const FacesBehind faces(plate, pairs, frame);
       const double near = std::min(clear_distance(plate.problem(), plate.paths(), at) / 4, 2 * plate.section().layer());
+      at.direction = frame.ahead;
       const auto rest = eased(plate, at, state, faces.pressure(force, near));
       auto of_rest = forces(rest);
       const auto on_faces = faces.take(rest, of_rest);

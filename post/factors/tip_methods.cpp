@@ -181,7 +181,7 @@ void TipMethods::AtTip::fit(const TipFrame& frame, const TipPlace& place, bool f
     no_fit_ = "series_fit: all fields about a tip are known for isotropic sections alone";
     auto around = rings(place.clear, plate.spacing, plate.graded);
     if (first_only && !around.empty()) around.resize(1);
-    fits_ = interaction_integrals(plate, {frame.origin, frame.ahead, tip_.crack, tip_.at_back}, at_, around);
+    fits_ = interaction_integrals(plate, frame, at_, around);
     return;
   }
   const auto range = fit_range(at_.section, clear, plate.spacing, plate.graded);
@@ -212,9 +212,11 @@ std::vector<FitSrif> TipMethods::AtTip::interactions(const NearField& field, con
   std::vector<FitSrif> result;
   if (integrals_.empty()) return result;
   const auto& around = integrals_.front().rings;
-  const auto all = interaction_integrals(*view_, tip_, at_, around);
+  TipFrame frame = surroundings_.frame();
+  if (frame.curve.empty()) frame = TipFrame(tip_);
+  const auto all = interaction_integrals(*view_, frame, at_, around);
   for (std::size_t i = 0; i < around.size(); ++i) {
-    const Eigen::Vector3d K = all[i](field) + interaction_of_free_curvatures(*view_, tip_, at_, around[i], free);
+    const Eigen::Vector3d K = all[i](field) + interaction_of_free_curvatures(*view_, frame, at_, around[i], free);
     result.push_back({around[i].inner, around[i].outer, K[0], K[1], K[2]});
   }
   return result;
@@ -309,6 +311,10 @@ std::vector<Srif> TipMethods::AtTip::operator()(const plate::State& state, const
       }
   }
   estimate_errors(found, fits, at_, shares_);
+  // interaction integrals have the fields of a straight crack
+  const double curvature = std::abs(surroundings_.frame().curvature), thickness = at_.section.thickness;
+  for (auto& srif : found)
+    if (stretched && curvature > 0) widen(srif, curvature * radius / 4 * largest_factor(srif, thickness), thickness);
   // openings were asked for beside methods that vouch for them, and these have no room: errors of 20 % were found where
   // 7 % were estimated
   if (integrals_.empty() && fits_.empty() && !std::ranges::all_of(methods_, of_opening))
