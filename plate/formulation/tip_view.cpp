@@ -38,7 +38,8 @@ Polar polar(const TipFrame& frame, const geometry::Point& x, double spacing) {
     const double angle = std::atan2(at.y(), at.x());
     if (std::abs(angle) < std::numbers::pi / 2) return {at.norm(), angle};
     const bool left = geometry::signed_distance(frame.curve, x) > 0;
-    return {at.norm(), angle + (left == angle > 0 ? 0 : left ? 2 * std::numbers::pi : -2 * std::numbers::pi)};
+    const double turn = left == (angle > 0) ? 0 : left ? 2 * std::numbers::pi : -2 * std::numbers::pi;
+    return {at.norm(), angle + turn};
   }
   if (at.x() < 0 && std::abs(at.y()) <= on_line * spacing)
     return {-at.x(), face_of(0, frame.left(), spacing) * std::numbers::pi};

@@ -182,9 +182,10 @@ double unbent_length(const geometry::Polyline& vertices, const TipFrame& frame, 
     const double aside =
         std::abs(bent ? frame.by_circle(vertices[i]).y() : x.x() * frame.ahead.y() - x.y() * frame.ahead.x());
     const double reached = (vertices[i - 1] - frame.origin).norm();
-    if (bent && x.norm() * std::abs(frame.curvature) > turn) {
+    if (bent && x.norm() * std::abs(frame.curvature) > turn) {  // it may come back
       const geometry::Polyline rest(vertices.begin() + std::ptrdiff_t(i), vertices.end());
-      return std::min(turn / std::abs(frame.curvature), 0.7 * geometry::distance(rest, frame.origin));
+      return std::min({turn / std::abs(frame.curvature), geometry::distance(rest, frame.origin),
+                       share_of_end * (vertices.back() - frame.origin).norm()});
     }
     if (aside > std::max(spacing / 4, bent ? off * x.norm() : 0)) return reached;
   }

