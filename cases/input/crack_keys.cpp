@@ -113,7 +113,7 @@ std::optional<Polyline> crack_of(const Value& given) {
   if (curve.line) return curve.line;
   for (auto& x : curve.traced) x = curve.origin + curve.scale * x;
   const auto fitted = geometry::fitted_curve(curve.traced, curve.tolerance);
-  if (2 * (fitted.spans + 1) > curve.traced.size())
+  if (fitted.spans == curve.traced.size())
     given.report_error(
         fmt::format("no smooth curve passes its {} points within {:g}: give a larger tolerance, or one "
                     "crack for every part between corners",

@@ -249,22 +249,38 @@ Eigen::MatrixX2d splines_of(const Polyline& points, const std::vector<double>& t
 
 }  // namespace
 
-FittedCurve fitted_curve(const Polyline& points, double tolerance) {
-  const auto t = places_along(points);
-  FittedCurve result{points, 0, points.size() / 2};
-  for (std::size_t spans = 1; spans < points.size() / 2; ++spans) {
-    const auto sum = splines_of(points, t, spans);
-    const std::size_t pieces = 8 * spans;
-    Polyline drawn;
-    for (std::size_t i = 0; i <= pieces; ++i) drawn.push_back(value(sum, double(i) / double(pieces)));
-    drawn.front() = points.front(), drawn.back() = points.back();
-    const auto line = fine(drawn);
-    double off = 0;
-    for (const Point& x : points) off = std::max(off, distance(line, x));
-    if (off > tolerance) continue;
-    return {drawn, off, spans};
+namespace {
+
+struct Fit {
+  Polyline points;  // of the curve
+  double off, rms;  // distances of the given points from it [length]
+};
+
+Fit fit(const Polyline& given, const std::vector<double>& t, std::size_t spans) {
+  const auto sum = splines_of(given, t, spans);
+  const std::size_t pieces = 8 * spans;
+  Fit result{{}, 0, 0};
+  for (std::size_t i = 0; i <= pieces; ++i) result.points.push_back(value(sum, double(i) / double(pieces)));
+  result.points.front() = given.front(), result.points.back() = given.back();
+  const auto line = fine(result.points);
+  for (const Point& x : given) {
+    const double away = distance(line, x);
+    result.off = std::max(result.off, away), result.rms += away * away / double(given.size());
   }
+  result.rms = std::sqrt(result.rms);
   return result;
+}
+
+}  // namespace
+
+FittedCurve fitted_curve(const Polyline& points, double tolerance) {
+  constexpr double much = 0.9;  // what twice the spans leave where fewer do not follow the curve yet
+  const auto t = places_along(points);
+  for (std::size_t spans = 1; 4 * spans <= points.size(); ++spans)
+    if (const auto found = fit(points, t, spans); found.off <= tolerance)
+      if (2 * spans + 3 > points.size() || fit(points, t, 2 * spans).rms >= much * found.rms)
+        return {found.points, found.off, spans};
+  return {points, 0, points.size()};
 }
 
 std::optional<SmoothCrack> smooth_crack(const std::vector<Polyline>& cracks, std::size_t which, double tolerance) {

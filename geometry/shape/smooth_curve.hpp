@@ -25,12 +25,12 @@ Polyline arc(const Point& centre, double radius, double from, double to);
 /// A curve by points with an error.
 struct FittedCurve {
   Polyline points;    // on the curve
-  double off = 0;     // the largest distance of a given point from it [length]
-  std::size_t spans;  // cubic ones; as many as half of the points: it follows their errors
+  double off;         // the largest distance of a given point from it [length]
+  std::size_t spans;  // cubic ones; as many as points where none is smooth
 };
 
-/// The curve of the fewest cubic spans (B-spline, least squares) that passes all points within `tolerance` [length]
-/// and has their ends: points as they are read from a picture. Six points at least.
+/// The curve of the fewest cubic spans (B-spline, least squares) that passes all points within `tolerance` [length],
+/// has their ends, and leaves no more of them than errors: points as they are read from a picture, six at least.
 FittedCurve fitted_curve(const Polyline& points, double tolerance);
 
 /// The smooth curve through the vertices of a crack, wherever at least five bends of at most ten degrees follow each
