@@ -46,7 +46,7 @@ double distance_to(const geometry::Hole& part, const geometry::Point& x) {
 }
 
 /// Length over which elastic foundations and springs between faces press back, in proportion to what the fields of a
-/// fit do not have: the shortest of all sqrt(D / G_p) and (D / k)^(1/4), of springs D / k and S / k [length].
+/// fit do not have: the shortest of all sqrt(D / G_p) and (D / k)^(1/4), of springs D / 2k and S / 2k [length].
 double reach_of_elastic_supports(const plate::Problem& c) {
   double result = INFINITY;
   const double stiffness = c.section.bending_stiffness();
@@ -59,8 +59,9 @@ double reach_of_elastic_supports(const plate::Problem& c) {
     if (spring.cracks.empty()) continue;
     const double turns =
         bends ? std::max(spring.rotation_normal, spring.rotation_tangential) : std::max(spring.opening, spring.sliding);
-    if (turns > 0) result = std::min(result, stiffness / turns);
-    if (bends && spring.deflection > 0) result = std::min(result, c.section.shear_stiffness() / spring.deflection);
+    if (turns > 0) result = std::min(result, stiffness / (2 * turns));
+    if (bends && spring.deflection > 0)
+      result = std::min(result, c.section.shear_stiffness() / (2 * spring.deflection));
   }
   return result;
 }
@@ -429,7 +430,9 @@ std::vector<Srif> srifs(const plate::Formulation& plate, const SrifOptions& opti
       const FacesBehind faces(plate, pairs, frame);
       const double near = std::min(clear_distance(plate.problem(), plate.paths(), at) / 4, 2 * plate.section().layer());
       at.direction = frame.ahead;
-      const auto rest = eased(plate, at, state, faces.pressure(force, near));
+      // what springs carry falls to zero towards the tip
+      const double pressure = plate.problem().ties_faces() ? 0 : faces.pressure(force, near);
+      const auto rest = eased(plate, at, state, pressure);
       auto of_rest = forces(rest);
       const auto on_faces = faces.take(rest, of_rest);
       if (methods[tip].here()) by_tip[tip] = of_tip(tip, rest, of_rest, &on_faces);
