@@ -222,9 +222,10 @@ Fields<Analysis> analysis_fields() {
                            "static: adaptive dynamic relaxation, conjugate gradients or a factorisation; dynamic: "
                            "steps, or Lanczos vectors "
                            "that move exactly")
-          .standard(
-              "static: \"cg\"; dynamic: \"central_difference\", \"lanczos\" with graded points or stiffness damping; "
-              "frequencies, buckling: \"lanczos\""),
+          .standard("static: \"cg\"; dynamic: \"central_difference\", of galerkin plates with graded points or "
+                    "stiffness damping "
+                    "\"lanczos\"; "
+                    "frequencies, buckling: \"lanczos\""),
       choice<A, plate::Preconditioning>(
           "preconditioner", &A::preconditioner, preconditioners,
           "of cg: the diagonal; the factor of a plate with a horizon of 1.5 spacings; the same on every "

@@ -180,8 +180,8 @@ void resolve_method(Case& content, const Reading& reading) {
   const auto needs_steps_for = [](const plate::Load& load) {
     return load.as<plate::Settlement>() || load.moves() || load.in_plane();
   };
-  const bool needs_steps = content.impact || content.unilateral() || content.faces_touch() || analysis.nonlinear ||
-                           std::ranges::any_of(content.loads, needs_steps_for);
+  const bool needs_steps = content.impact || content.unilateral() || content.faces_touch() || content.coupled() ||
+                           analysis.nonlinear || std::ranges::any_of(content.loads, needs_steps_for);
   const bool steps_asked = analysis.time_step || reading.given("analysis.safety") || needs_steps;
   // stiffness damping shortens the stable step a hundred times and more; vectors take none
   const bool damped = analysis.damping && analysis.damping->stiffness > 0 && !reading.distributed &&

@@ -33,7 +33,9 @@ struct Doubt {
 
   void add(const std::string& name, double error) { names.push_back(name), share = std::max(share, error); }
   std::string words(const char* what) const {
-    return names.empty() ? "" : fmt::format("{} {} ({:.2g} %)", fmt::join(names, ", "), what, 100 * share);
+    if (names.empty()) return "";
+    return fmt::format("{} {} ({})", fmt::join(names, ", "), what,
+                       share >= 1 ? "> 100 %" : fmt::format("{:.2g} %", 100 * share));
   }
 };
 

@@ -208,6 +208,11 @@ void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const p
     if (top && bottom) {  // what is left is judged beside the forces that press the faces
       srif.resolved[0] = plane.resolved[0] = true;
       plane.resolved[1] = plane.resolved[1] || plane.errors[1].value_or(0) <= lost * lost * scale;
+      constexpr double nothing = 1e-5;  // its energy is 1e-10 of that of the pressing forces
+      if (std::max(std::abs(plane.N[1]), plane.errors[1].value_or(0)) <= nothing * scale) {
+        plane.N[1] = 0;
+        if (plane.G) plane.G = 0;
+      }
     }
     const bool by_sum = !layer && top != bottom && srif.method == SrifMethod::virtual_crack_extension;
     if (by_sum ? srif.K1 == 0 : !srif.resolved[0] || !plane.resolved[0]) continue;

@@ -166,8 +166,8 @@ struct ClosedTip {
 /// there, N1 = 6 |K1| / h: K1 and N1 share the energy that they release together, which contact only carries from one
 /// to the other, and their errors are no less than the change. Where the points do not resolve the layer of that, the
 /// virtual crack extension alone finds both energies, and shares of the change are errors. Where they touch at both,
-/// K1 = N1 = 0. Factors of bending that are rounding beside the forces, with their errors, become zero. Of sections of
-/// one material.
+/// K1 = N1 = 0. Factors of bending, and N2 of such tips, that are rounding beside the forces, with their errors, become
+/// zero. Of sections of one material.
 void close(std::vector<Srif>& srifs, const std::vector<ClosedTip>& tips, const plate::Section& section);
 
 /// F1, F2, F3 where the options give a normalisation.

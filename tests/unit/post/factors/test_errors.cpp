@@ -200,6 +200,29 @@ TEST_CASE("a factor that is small beside those of the other part is resolved as 
   CHECK(bending.resolved == std::array{false, false, false});
 }
 
+TEST_CASE("N2 of a crack that is closed at both faces is zero where it is rounding beside the forces") {
+  const double h = unit_section.thickness, scale = 5;
+  const auto closed = [&](double N2, double error) {
+    Srif srif;
+    srif.K1 = 1e-13, srif.K2 = 1e-13, srif.errors = {1e-12, 1e-12, 1e-12}, srif.G = 1e-25;
+    srif.membrane = MembraneFactors{{-2, N2}, {0.01, error}, {true, false}, 1e-3, h};
+    std::vector<Srif> all{srif};
+    close(all, {{.top = true, .bottom = true, .scale = scale}}, unit_section);
+    return all[0];
+  };
+  const auto rounded = closed(-2e-13, 2e-12);
+  CHECK(rounded.membrane->N == std::array{0.0, 0.0});
+  CHECK(rounded.membrane->G == 0);
+  CHECK(rounded.membrane->errors[1] == 2e-12);
+  CHECK(warnings_about_factors({rounded}, {}, h, "").empty());
+  CHECK(closed(1e-3, 1e-12).membrane->N[1] == 1e-3);  // it slides
+  const auto doubtful = closed(1e-9, 0.04);
+  CHECK(doubtful.membrane->N[1] == 1e-9);
+  const auto said = warnings_about_factors({doubtful}, {}, h, "refine");
+  REQUIRE(said.size() == 1);
+  CHECK(said[0] == "tip 0 (0, 0): N2 uncertain (> 100 %); refine");
+}
+
 TEST_CASE("a tip has one warning, with all factors that are in doubt and the largest of their errors") {
   const double h = unit_section.thickness;
   Srif srif;
