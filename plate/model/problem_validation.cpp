@@ -418,12 +418,6 @@ std::vector<Refusal> errors_in_heat(const Problem& problem) {
     refuse(Subject::thermal_expansion, "is missing, must be a number > 0: temperatures strain the plate by it");
   if (!problem.section.uniform())
     refuse(Subject::section, "temperatures are of plates of one material and one thickness all over");
-  constexpr auto varies = "temperatures that vary over the plate are of an isotropic material: give a value";
-  for (std::size_t i = 0; i < problem.loads.size() && !problem.section.isotropic(); ++i)
-    if (const auto* heat = problem.loads[i].as<Temperature>()) {
-      if (heat->formula.given()) refuse(Subject::load_expression, varies, i);
-      if (heat->mean_formula.given()) refuse(Subject::load_mean, varies, i);
-    }
   const auto& d = problem.discretization;
   const bool of_bonds = d.formulation && d.formulation->offers(Feature::horizon);
   if (of_bonds && d.boundary != EdgeMethod::images)
