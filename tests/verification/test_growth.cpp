@@ -77,33 +77,35 @@ TEST_CASE("quasi-static growth spends the fracture energy, bending, at any angle
 TEST_CASE("quasi-static growth spends the fracture energy in a region of another thickness") {
   for (const double thickness : {0.07, 0.14}) {
     auto c = straight(0.04, 0, {1, 1, 0});
+    c.discretization.formulation = &plate::galerkin;
     c.section.regions = {{geometry::rectangle(-0.88, -0.88, 0.88, 0.88).outer, thickness, {}, {}, {}}};
     const auto found = energies(c, thickness);
     CAPTURE(thickness, found.spent);
-    CHECK(std::abs(found.spent - 1) < 0.03);
+    CHECK(std::abs(found.spent - 1) < 0.02);  // measured: 0.9 %
   }
 }
 
 TEST_CASE("quasi-static growth begins at the tip whose thickness resists least") {
   for (const double thickness : {0.07, 0.14}) {
     auto c = straight(0.03, 0, {1, 1, 0});
+    c.discretization.formulation = &plate::galerkin;
     c.growth->max_advances = 1;
     c.section.regions = {{geometry::rectangle(0, -0.9, 0.9, 0.9).outer, thickness, 1100.0, 0.25, {}}};
     auto rests = c;
     rests.growth.reset();
     rests.srif.emplace();
     const small_run::TemporaryFolder folder;
-    double first = INFINITY;  // load factor; G of every tip over that of the fracture energy and its own thickness
+    std::array<double, 2> factors{};  // of load, of each tip: its energy release rate over its own thickness
     for (const auto& srif : cases::run({rests, {}}, {folder / "rests", true}).srif)
       if (srif.method == post::SrifMethod::virtual_crack_extension)
-        first = std::min(first, std::sqrt((srif.tip == 1 ? thickness : 0.1) / *srif.G));
+        factors.at(srif.tip) = std::sqrt((srif.tip == 1 ? thickness : 0.1) / *srif.G);
     const auto summary = cases::run({c, {}}, {folder / "grows", true});
-    CAPTURE(thickness, first);
-    CHECK(*summary.growth->first_load_factor == Approx(first).epsilon(1e-6));
+    CAPTURE(thickness, factors);
+    const auto first = std::ranges::min_element(factors);
+    CHECK(*summary.growth->first_load_factor == Approx(*first).epsilon(0.01));  // measured: 0.5 %
     const auto tips = post::read_csv(folder / "grows" / "tips.csv");
-    for (const double tip : {0.0, 1.0})
-      CHECK(std::get<double>(tips.rows.at(std::size_t(tip)).at(tips.column("moves"))) ==
-            (tip == (thickness < 0.1 ? 1 : 0) ? 1 : 0));
+    for (std::size_t tip = 0; tip < 2; ++tip)
+      CHECK(std::get<double>(tips.rows.at(tip).at(tips.column("moves"))) == (factors.begin() + tip == first ? 1 : 0));
   }
 }
 
