@@ -238,7 +238,7 @@ TEST_CASE("a crack in a plate with directions under a temperature that varies: t
       if (!srif.G) continue;
       const double energy = std::get<double>(table.rows[srif.tip][4]);
       CAPTURE(angle, srif.tip, energy, *srif.G);
-      CHECK(*srif.G == Approx(energy).epsilon(0.01));
+      CHECK(*srif.G == Approx(energy).epsilon(0.005));  // measured: 0.22 %
     }
   }
 }

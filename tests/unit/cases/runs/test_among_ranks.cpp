@@ -2,9 +2,12 @@
 
 #include <mutex>
 
+#include "cases/driver/run.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "post/files/results_in_memory.hpp"
+#include "post/files/summary.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/plate/model/thread_ranks.hpp"
@@ -69,4 +72,27 @@ TEST_CASE("the share of the soil that touches is the same for any number of proc
   CHECK(std::ranges::count(found, found.front()) == 4);
   CHECK(found.front() == Approx(0.65).epsilon(1e-13));
   CHECK(found.front() == Approx(whole).epsilon(2e-11));  // 1.6e5 terms one by one: each errs by 2^-53 at most
+}
+
+TEST_CASE("linear theory is judged in a plate that processes share as in the whole one") {
+  const auto file = read(plain, {"discretization.formulation=ordinary", "discretization.spacing=0.1",
+                                 "load[0].value=0.001", "output.fields=[]"});
+  const auto off = [&](const plate::Communicator& all) {
+    post::ResultsInMemory kept;
+    kept.wants_fields = false;
+    return cases::run(file, {{}, true, &kept, false, &all}).linear_theory_off;
+  };
+  const auto whole = off(plate::single_process());
+  REQUIRE(whole);
+  std::vector<std::optional<double>> found;
+  thread_ranks::run(2, [&](const plate::Communicator& all) {
+    const auto own = off(all);
+    static std::mutex one_by_one;
+    const std::lock_guard guard(one_by_one);
+    found.push_back(own);
+  });
+  for (const auto& one : found) {
+    REQUIRE(one);
+    CHECK(*one == Approx(*whole).epsilon(1e-3));
+  }
 }

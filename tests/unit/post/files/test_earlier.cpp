@@ -41,11 +41,11 @@ TEST_CASE("earlier results: all that a run writes goes, the rest stays") {
   const Folder folder;
   for (const char* name : {"case.resolved.toml", "summary.json", "history.csv", "srif.csv", "fields.pvd",
                            "fields_0000.vtu", "fields_12345.vtu", "cracks.vtp", "state.h5", "state.h5.partial",
-                           "motion/case.resolved.toml", "motion/growth.csv"})
+                           "checkpoint.end", "motion/case.resolved.toml", "motion/growth.csv"})
     folder.file(name);
   for (const char* name : {"notes.txt", "my_history.csv", "fields_1.vtu", "ordinary/summary.json"}) folder.file(name);
   CHECK(post::strangers(folder.path).empty());
-  CHECK(post::remove_earlier(folder.path) == 12);
+  CHECK(post::remove_earlier(folder.path) == 13);
   std::vector<std::string> left;
   for (const auto& entry : fs::recursive_directory_iterator(folder.path))
     if (entry.is_regular_file()) left.push_back(fs::relative(entry.path(), folder.path).string());
