@@ -135,11 +135,15 @@ void require_same_steps(const CaseFile& file, const Case& earlier) {
   if (now.damping && now.damping->stiffness > 0 && relaxes(before.duration) != relaxes(now.duration))
     refuse("of so much longer takes other steps with damping by the stiffness: run it without --resume");
   const double row = plate::row_grid(grid_options(earlier)).time_step;
-  if (row != plate::row_grid(grid_options(file.content)).time_step)
+  if (row == plate::row_grid(grid_options(file.content)).time_step) return;
+  if (row != plate::row_of(grid_options(earlier)))
     refuse(
-        fmt::format("must be a multiple of the time {:g} between rows of the run which --resume goes on with: set "
-                    "{:g}",
-                    row, std::ceil(now.duration / row) * row));
+        fmt::format("cannot change: output.history_every is no part of {:g}, that of the run which --resume goes on "
+                    "with; run it without --resume",
+                    before.duration));
+  refuse(
+      fmt::format("must be a multiple of the time {:g} between rows of the run which --resume goes on with: set {:g}",
+                  row, std::ceil(now.duration / row) * row));
 }
 
 }  // namespace
