@@ -243,6 +243,7 @@ Json of_value(const std::string& text) {
   if (begins("[[x, y]")) return list(numbers(2));
   if (begins("[xmin")) return numbers(4);
   if (begins("[x, y, radius]") || begins("[Mxx")) return numbers(3);
+  if (begins("[x, y, radius, from")) return numbers(5);
   if (begins("[x, y]") || begins("[a, b]")) return numbers(2);
   if (begins("{ name = factor")) return {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
   if (begins("{ name")) return {{"type", "object"}, {"additionalProperties", numbers(2)}};
@@ -250,7 +251,8 @@ Json of_value(const std::string& text) {
   if (begins("a list of") || begins("one name")) return list({{"type", "string"}});
   if (begins("one of")) return {{"enum", quoted_words(text)}};
   if (begins("true or false")) return {{"type", "boolean"}};
-  if (begins("a string") || begins("an expression") || begins("letters")) return {{"type", "string"}};
+  if (begins("a string") || begins("a CSV file") || begins("an expression") || begins("letters"))
+    return {{"type", "string"}};
   if (text.find("table [[") != std::string::npos)
     return {{"anyOf", {{{"enum", quoted_words(text)}}, list(numbers(2))}}};
   if (begins("\"")) return {{"anyOf", {{{"enum", quoted_words(text)}}, of_number(text)}}};
@@ -268,6 +270,9 @@ Json& place(Json& root, const std::string& name) {
     Json& child = (*at)["properties"][part];
     if (child.is_null()) child = items ? Json{{"type", "array"}} : Json::object();
     at = items ? &child["items"] : &child;
+    if (items && at->contains("type") && (*at)["type"] == "array")  // items that are lists or tables
+      *at = Json{{"anyOf", Json::array({*at, Json::object()})}};
+    if (items && at->contains("anyOf")) at = &(*at)["anyOf"][1];
     (*at)["type"] = "object";
     (*at)["additionalProperties"] = false;
   }
