@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
 #include "geometry/shape/smooth_curve.hpp"
 #include "plate/model/problem.hpp"
