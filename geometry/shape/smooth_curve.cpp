@@ -88,6 +88,13 @@ public:
            t * s * (s * handle(tangents_[piece]) - t * handle(tangents_[piece + 1]));
   }
 
+  /// Unit vector along the line.
+  Point along(std::size_t piece, double t) const {
+    if (t == 0 || t == 1) return tangents_[piece + (t == 1 ? 1 : 0)];
+    constexpr double step = 1e-3;  // fine pieces are arcs to far more digits
+    return ((*this)(piece, std::min(1.0, t + step)) - (*this)(piece, std::max(0.0, t - step))).normalized();
+  }
+
 private:
   Point chord(std::size_t piece) const { return points_[piece + 1] - points_[piece]; }
   Polyline points_, tangents_;
@@ -176,16 +183,22 @@ void draw(const LineThrough& line, std::size_t first, std::size_t last, const st
       steps.push_back({i, t, end, sum});
       t = end;
     }
-  const double count = std::max(1.0, std::ceil(sum - 0.2));
+  // pieces touch the line in their middle, the first and the last one at its ends: tips have its direction
+  const double count = std::max(1.0, std::ceil(sum / 2 - 0.2));
+  Point before = line(first, 0), before_along = line.along(first, 0);
   std::size_t at = 0;
-  for (double n = 1; n < count; ++n) {
+  for (double n = 1; n <= count; ++n) {
     const double wanted = sum * n / count;
-    while (steps[at].sum < wanted) ++at;
+    while (at + 1 < steps.size() && steps[at].sum < wanted) ++at;
     const auto& [piece, from, to, reached] = steps[at];
-    const double before = at == 0 ? 0 : steps[at - 1].sum;
-    result.push_back(line(piece, from + (wanted - before) / (reached - before) * (to - from)));
+    const double start = at == 0 ? 0 : steps[at - 1].sum;
+    const double t = n == count ? 1 : from + (wanted - start) / (reached - start) * (to - from);
+    const Point here = line(piece, t), here_along = line.along(piece, t), d = here - before;
+    const double leg = d.squaredNorm() / (d.dot(before_along) + d.dot(here_along));
+    result.push_back((before + leg * before_along + here - leg * here_along) / 2);
+    before = here, before_along = here_along;
   }
-  result.push_back(line(last - 1, 1));
+  result.push_back(before);
 }
 
 }  // namespace
@@ -341,10 +354,10 @@ std::optional<TipCircle> tip_circle(const CrackPath& path, bool at_back, double 
   const Polyline last{from_tip(0), from_tip(1), from_tip(2), from_tip(3)};
   for (const std::size_t i : {1, 2})
     if ((last[i] - last[i - 1]).norm() > longest * spacing || std::abs(bend_at(last, i)) > most) return std::nullopt;
-  const double product = (last[1] - last[0]).norm() * (last[2] - last[1]).norm() * (last[2] - last[0]).norm();
-  const double curvature = -2 * cross(last[1] - last[0], last[2] - last[0]) / product;
+  // the last piece touches the curve at the tip, the one before in its middle
+  const double curvature = 2 * std::tan(bend_at(last, 1) / 2) / (last[1] - last[0]).norm() / 2;
   if (curvature == 0) return std::nullopt;
-  return TipCircle{-tangent(last[0], last[1], last[2], last[0]), curvature};
+  return TipCircle{(last[0] - last[1]).normalized(), -curvature};
 }
 
 double signed_distance(const Polyline& line, const Point& x) {

@@ -175,8 +175,10 @@ std::string TipMethods::AtTip::add_integral(SrifMethod method, double clear, boo
 /// Fits over the widest range that serves, and over parts of it for the estimate of the error.
 void TipMethods::AtTip::fit(const TipFrame& frame, const TipPlace& place, bool first_only) {
   // the fields of a force are singular: their series converges slowly towards it
-  const double clear = std::min(place.clear, place.undisturbed / 2);
+  double clear = std::min(place.clear, place.undisturbed / 2);
   const TipView& plate = *view_;
+  // the fields have the first order of a curvature: where points suffice, fewer of the others are seen
+  if (plate.graded && !frame.curve.empty()) clear = std::max(clear / 2, std::min(clear, 30 * plate.spacing));
   if (!at_.section.isotropic()) {
     no_fit_ = "series_fit: all fields about a tip are known for isotropic sections alone";
     auto around = rings(place.clear, plate.spacing, plate.graded);
