@@ -166,7 +166,8 @@ Polyline fine(const Polyline& points) {
   return result;
 }
 
-/// Part of a fine polyline between two of its vertices by pieces as long as `size` says.
+/// Part of a fine polyline between two of its vertices by pieces twice as long as `size` says, half of that at its
+/// ends.
 void draw(const LineThrough& line, std::size_t first, std::size_t last, const std::function<double(const Point&)>& size,
           Polyline& result) {
   struct Step {
@@ -355,7 +356,7 @@ std::optional<TipCircle> tip_circle(const CrackPath& path, bool at_back, double 
   for (const std::size_t i : {1, 2})
     if ((last[i] - last[i - 1]).norm() > longest * spacing || std::abs(bend_at(last, i)) > most) return std::nullopt;
   // the last piece touches the curve at the tip, the one before in its middle
-  const double curvature = 2 * std::tan(bend_at(last, 1) / 2) / (last[1] - last[0]).norm() / 2;
+  const double curvature = std::tan(bend_at(last, 1) / 2) / (last[1] - last[0]).norm();
   if (curvature == 0) return std::nullopt;
   return TipCircle{(last[0] - last[1]).normalized(), -curvature};
 }

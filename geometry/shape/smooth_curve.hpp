@@ -5,8 +5,8 @@
 #include "geometry/shape/crack_path.hpp"
 
 /// Cracks that are curves. A curve is given by points on it; it is the smooth line through these, which has the circle
-/// through every three neighbours as its tangent circle. It is kept as a fine polyline, with bends below half a degree,
-/// and drawn by pieces as long as the points of a plate are apart.
+/// through every three neighbours as its tangent circle. It is kept as a fine polyline, with bends of about 0.2
+/// degrees, and drawn by pieces that touch it, twice as long as the points of a plate are apart.
 namespace geometry {
 
 /// A crack that was read as a curve.
@@ -38,8 +38,9 @@ FittedCurve fitted_curve(const Polyline& points, double tolerance);
 /// curve, or where it is a fine polyline already.
 std::optional<SmoothCrack> smooth_crack(const std::vector<Polyline>& cracks, std::size_t which, double tolerance);
 
-/// A crack whose curves, kept as fine polylines, are drawn anew by pieces as long as `size` says at a place [length].
-/// Ends of other cracks on it stay vertices. Other parts stay as they are.
+/// A crack whose curves, kept as fine polylines, are drawn anew by pieces that touch them in their middle, the first
+/// and the last one, half as long, at its ends: tips have the direction of the curve. `size`: half of the length of a
+/// piece at a place [length]. Ends of other cracks on it stay vertices. Other parts stay as they are.
 Polyline drawn(const std::vector<Polyline>& cracks, std::size_t which, double tolerance,
                const std::function<double(const Point&)>& size);
 
@@ -49,11 +50,12 @@ struct TipCircle {
   double curvature;  // positive where the crack behind the tip bends to the left of `direction` [1 / length]
 };
 
-/// The circle through the last three vertices of a crack whose last pieces are shorter than five spacings and bend by
-/// at most fifteen degrees; nothing where its end is straight or has a kink.
+/// The circle that touches the last piece of a crack at the tip, and the one before in its middle, as drawn() has them;
+/// these are shorter than five spacings and bend by at most fifteen degrees. Nothing where the end is straight or has a
+/// kink.
 std::optional<TipCircle> tip_circle(const CrackPath& path, bool at_back, double spacing);
 
-/// A place beside a polyline: the distance from it, positive on its left.
+/// Distance of a place from a polyline, positive on its left.
 double signed_distance(const Polyline& line, const Point& x);
 
 }  // namespace geometry
