@@ -103,7 +103,7 @@ std::optional<Polyline> crack_of(const Value& given) {
   CrackCurve curve;
   read_fields(curve_fields(), given, curve);
   const auto is_given = [&](const char* name) { return reading.given(given.below(name)); };
-  if (is_given("arc") + is_given("spline") + is_given("file") != 1)
+  if (reading.sound(given.key()) && is_given("arc") + is_given("spline") + is_given("file") != 1)
     given.refuse(
         "a polyline [[x, y], ...], { arc = [...] }, { spline = [...] } or { file = \"...\", tolerance = ... }");
   for (const char* name : {"scale", "origin", "tolerance"})

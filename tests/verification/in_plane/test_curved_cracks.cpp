@@ -100,3 +100,24 @@ TEST_CASE("arcs by pieces have the factors of the arc to a stated accuracy", "[i
     }
   }
 }
+
+TEST_CASE("arcs by pieces at a spacing have the factors of a stated accuracy", "[in_plane]") {
+  for (const auto& [degrees, pieces, turned] : std::vector<std::array<int, 3>>{{60, 96, 33}, {120, 24, 10}}) {
+    CAPTURE(degrees, pieces, turned);
+    const double side = 3 * std::sin(degrees / 2.0 * degree);
+    const auto crack = arc_by_pieces(degrees, pieces, turned);
+    const auto accurate = factors(sheet(crack, side, "[srif]\naccuracy = 0.005"));
+    const auto found = factors(sheet(
+        crack, side, fmt::format("[discretization]\nspacing = {}\nformulation = \"galerkin\"\n[srif]", side / 30)));
+    REQUIRE(found.size() == 2);
+    REQUIRE(accurate.size() == 2);
+    for (std::size_t tip = 0; tip < 2; ++tip) {
+      const double size = accurate[tip].K1;
+      CAPTURE(tip, found[tip].K1, found[tip].K2, size, accurate[tip].K2);
+      CHECK(std::abs(found[tip].K1 - size) < 0.01 * size);
+      CHECK(std::abs(found[tip].K2 - accurate[tip].K2) < 0.01 * size);
+      CHECK(std::abs(found[tip].membrane->N[0] - accurate[tip].membrane->N[0]) < 0.01 * size);
+      CHECK(std::abs(found[tip].membrane->N[1] - accurate[tip].membrane->N[1]) < 0.01 * size);
+    }
+  }
+}

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <numbers>
 
 #include "tests/unit/cases/case_text.hpp"
