@@ -25,13 +25,18 @@ struct PointByCrack {
 
 std::vector<PointByCrack> points_by_crack(const std::vector<Point>& positions, const plate::TipFrame& frame,
                                           double window, double height, double spacing) {
+  const Point normal = frame.left();
   std::vector<PointByCrack> found;
   for (std::uint32_t k = 0; k < positions.size(); ++k) {
-    if ((positions[k] - frame.origin).norm() > window + 2 * spacing + height) continue;
-    const Point x = frame.beside(positions[k]);
-    const double r = -x.x(), y = x.y();
+    const Point x = positions[k] - frame.origin;
+    double r = -x.dot(frame.ahead), y = x.dot(normal);
+    if (!frame.curve.empty()) {
+      if (x.norm() > window + 2 * spacing + height) continue;
+      const Point beside = frame.beside(positions[k]);
+      r = -beside.x(), y = beside.y();
+    }
     if (r > -2 * spacing && r < window + 2 * spacing && std::abs(y) < height)
-      found.push_back({k, r, y, plate::face_of(y, frame.left(), spacing)});
+      found.push_back({k, r, y, plate::face_of(y, normal, spacing)});
   }
   return found;
 }

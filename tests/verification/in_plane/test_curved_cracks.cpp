@@ -91,7 +91,7 @@ TEST_CASE("arcs by pieces have the factors of the arc to a stated accuracy", "[i
     const auto found = factors(sheet(arc_by_pieces(degrees, pieces, 0), side, "[srif]\naccuracy = 0.01"));
     const auto [K1, K2] = exact(degrees);
     REQUIRE(found.size() == 2);
-    for (const auto& srif : found) {
+    for (const auto& srif : found) {  // measured: K1 0.3 %, K2 0.2 % of K1, of which the edges make 0.2 %
       REQUIRE(srif.membrane);
       CHECK(srif.K1 == Approx(K1).epsilon(0.01));
       CHECK(std::abs(srif.K2) == Approx(K2).margin(0.01 * K1));
@@ -111,13 +111,13 @@ TEST_CASE("arcs by pieces at a spacing have the factors of a stated accuracy", "
         crack, side, fmt::format("[discretization]\nspacing = {}\nformulation = \"galerkin\"\n[srif]", side / 30)));
     REQUIRE(found.size() == 2);
     REQUIRE(accurate.size() == 2);
-    for (std::size_t tip = 0; tip < 2; ++tip) {
+    for (std::size_t tip = 0; tip < 2; ++tip) {  // measured: 0.07 %
       const double size = accurate[tip].K1;
       CAPTURE(tip, found[tip].K1, found[tip].K2, size, accurate[tip].K2);
-      CHECK(std::abs(found[tip].K1 - size) < 0.01 * size);
-      CHECK(std::abs(found[tip].K2 - accurate[tip].K2) < 0.01 * size);
-      CHECK(std::abs(found[tip].membrane->N[0] - accurate[tip].membrane->N[0]) < 0.01 * size);
-      CHECK(std::abs(found[tip].membrane->N[1] - accurate[tip].membrane->N[1]) < 0.01 * size);
+      CHECK(std::abs(found[tip].K1 - size) < 0.003 * size);
+      CHECK(std::abs(found[tip].K2 - accurate[tip].K2) < 0.003 * size);
+      CHECK(std::abs(found[tip].membrane->N[0] - accurate[tip].membrane->N[0]) < 0.003 * size);
+      CHECK(std::abs(found[tip].membrane->N[1] - accurate[tip].membrane->N[1]) < 0.003 * size);
     }
   }
 }
