@@ -14,11 +14,13 @@
 namespace plate {
 namespace {
 
-/// The largest displacement in the plane; of bending that of the fibre at z = 1.
+/// The largest displacement in the plane; of bending that of the fibre at z = 1. Of a distributed plate that of points
+/// in the plate, which the plate and its plane share.
 double largest_motion(const Formulation& plate, const State& state) {
+  if (!plate.distributed()) return state.bottomRows(2).colwise().norm().maxCoeff();
   double result = 0;
-  for (Eigen::Index k = 0; k < state.cols(); ++k)
-    if (plate.boundary().owns(std::size_t(k))) result = std::max(result, state.col(k).tail(2).norm());
+  for (std::size_t k = 0; k < plate.cloud().plate_points; ++k)
+    if (plate.boundary().owns(k)) result = std::max(result, state.col(Eigen::Index(k)).tail(2).norm());
   return largest_of(plate, result);
 }
 
@@ -88,14 +90,14 @@ FaceRows::FaceRows(const Formulation& plate)
   arms_ = -arms_;
 }
 
-Eigen::MatrixXd FaceRows::compliance(const Solutions& solutions) const {
+Eigen::MatrixXd FaceRows::compliance(std::size_t points, const Solutions& solutions) const {
   constexpr std::size_t at_once = 32;  // as many states are held
   const auto count = pairs_.size();
   Eigen::MatrixXd result(count, count);
   for (std::size_t first = 0; first < count; first += at_once) {
     std::vector<Forces> loads;
     for (auto i = first; i < std::min(count, first + at_once); ++i)
-      pairs_[i].press(1, loads.emplace_back(zero_forces(plate_.points())));
+      pairs_[i].press(1, loads.emplace_back(zero_forces(points)));
     const auto states = solutions(loads);
     for (std::size_t i = 0; i < states.size(); ++i)
       for (std::size_t j = 0; j < count; ++j)
@@ -162,10 +164,11 @@ ContactOfFaces::ContactOfFaces(const Formulation& plate, const Formulation& memb
                                             one.distributed() ? &one.boundary() : nullptr);
   };
   bent_ = factor_of(plate, across_), flat_ = factor_of(membrane, in_plane_);
-  const auto compliance_of = [&](const AssembledPlate& one) {
-    return rows_.compliance([&](const auto& loads) { return one.solve(loads); });
+  const auto compliance_of = [&](const AssembledPlate& one, std::size_t points) {
+    return rows_.compliance(points, [&](const auto& loads) { return one.solve(loads); });
   };
-  const Eigen::MatrixXd of_bending = compliance_of(*bent_), of_plane = compliance_of(*flat_);
+  const Eigen::MatrixXd of_bending = compliance_of(*bent_, plate.points()),
+                        of_plane = compliance_of(*flat_, membrane.points());
   const auto& arm = rows_.arms();
   const Eigen::MatrixXd turned = arm.asDiagonal() * of_bending * arm.asDiagonal();
   compliance_.resize(2 * arm.size(), 2 * arm.size());

@@ -60,7 +60,8 @@ public:
   const std::vector<FacePair>& pairs() const { return pairs_; }
   const Eigen::VectorXd& arms() const { return arms_; }  // h/2 at the pairs [length]
   /// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
-  Eigen::MatrixXd compliance(const Solutions& solutions) const;
+  /// `solutions`: of the plate or of its plane, which may have other `points` beyond edges.
+  Eigen::MatrixXd compliance(std::size_t points, const Solutions& solutions) const;
   /// Openings of all rows [length].
   Eigen::VectorXd openings(const State& bending, const State& membrane) const;
   /// Adds the nodal forces of forces that press the rows apart. Pairs that are pressed evenly do not bend the plate.

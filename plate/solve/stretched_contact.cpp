@@ -12,7 +12,7 @@ StretchedContact::StretchedContact(const Formulation& plate, const MiddlePlane& 
     : points_(plate.points()),
       plane_(plane),
       rows_(plate),
-      of_plane_(rows_.compliance([&](const auto& loads) { return plane.solve(loads); })) {
+      of_plane_(rows_.compliance(points_, [&](const auto& loads) { return plane.solve(loads); })) {
   lifted_ = lift_compliance(of_plane_);
 }
 

@@ -334,3 +334,60 @@ TEST_CASE("a plate in parts: buckling and frequencies where a stiffener couples 
     CHECK(apart(frequencies.frequencies, found(modes, processes).frequencies, {"frequency"}) < 1e-10);
   }
 }
+
+namespace {
+
+/// A strip that bends, with an oblique crack inside it and another one from its edge, whose faces touch. Nothing holds
+/// it in its plane.
+std::vector<std::string> with_touching_faces(bool bonds) {
+  return {
+      "geometry={outline={rectangle=[-0.5,-0.7,0.5,0.7]},cracks=[[[-0.21,-0.13],[0.19,0.12]],[[0.5,0.4],[0.25,0.33]]]}",
+      "cracks={contact=true}",
+      "section.thickness=0.2",
+      "support=[{kind='simply_supported',edges=['bottom','top']}]",
+      "load=[{kind='pressure',value=0.1},{kind='edge_moment',edges=['top'],value=0.02}]",
+      "analysis={kind='static',tolerance=1e-11}",
+      "srif={}",
+      "output.probes={a=[0.3,0.2],b=[0,0.65]}",
+      bonds ? "discretization={formulation='ordinary',spacing=0.05}"
+            : "discretization={formulation='galerkin',spacing=0.1,tip_spacing=0.03}"};
+}
+
+}  // namespace
+
+TEST_CASE("a plate in parts: faces of cracks that touch, at rest, in load cases and with large deflections") {
+  const bool bonds = GENERATE(false, true);
+  auto one_state = with_touching_faces(bonds), cases = one_state, nonlinear = one_state;
+  cases.insert(cases.end(), {"-load",
+                             "support=[{kind='simply_supported',edges=['bottom'],in_plane='normal'},"
+                             "{kind='simply_supported',edges=['top']},{kind='in_plane',points=[[0,-0.7]]}]",
+                             "case=[{name='press',load=[{kind='edge_traction',edges=['top'],value=-1}]},"
+                             "{name='bend',load=[{kind='pressure',value=0.1}]}]",
+                             "combination=[{name='both',of={press=0.3,bend=-1}}]"});
+  nonlinear.insert(nonlinear.end(), {"-srif", "analysis={kind='static',nonlinear=true,tolerance=1e-10}"});
+  for (const auto& settings : {one_state, cases, nonlinear}) {
+    const auto file = read(plain, settings);
+    const auto ordinary = found(file, 0);
+    const auto& faces = ordinary.numbers.at("contact");
+    for (const int processes : {1, 2}) {
+      INFO((bonds ? "bonds, " : "Galerkin, ") << processes << " processes, " << settings.back());
+      const auto many = found(file, processes);
+      CHECK(many.warnings == ordinary.warnings);
+      CHECK(apart(faces, many.numbers.at("contact"), {"x", "length", "opening_top", "pressure_bottom"}) < 1e-8);
+      CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-8);
+      CHECK(apart(ordinary, many, "probes", {"w", "u", "v"}) < 1e-8);
+      if (file.content.srif) CHECK(apart(ordinary, many, "srif", {"K1", "K2", "K3", "N1", "N2"}) < 1e-8);
+    }
+  }
+}
+
+TEST_CASE("a plate in parts: cracks that grow at rest while their faces touch") {
+  auto settings = with_touching_faces(false);
+  settings.insert(settings.end(),
+                  {"-output.probes", "growth={fracture_energy=1.0,control='equilibrium',max_advances=1}"});
+  const auto file = read(plain, settings);
+  const auto ordinary = found(file, 0), many = found(file, 2);
+  CHECK(many.warnings == ordinary.warnings);
+  CHECK(apart(ordinary, many, "growth", {"crack_length", "load_factor"}) < 1e-8);
+  CHECK(apart(ordinary, many, "tips", {"K1", "N1"}) < 1e-8);
+}
