@@ -1,5 +1,5 @@
-// Springs between the faces of cracks: strips with closed forms at rest, energy release, dowels on soil, cracks through
-// a part of the thickness.
+// Springs between the faces of cracks: energy release of a strip in closed form, a beam cut in two, cracks through a
+// part of the thickness against the line spring equations of Rice and Levy (1972).
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,9 @@
 #include "cases/input/case_file.hpp"
 #include "cases/input/problems.hpp"
 #include "cases/runs/run_plan.hpp"
-#include "plate/model/part_through_crack.hpp"
-#include "plate/model/section.hpp"
 #include "post/files/results_in_memory.hpp"
 #include "post/files/summary.hpp"
+#include "post/files/table.hpp"
 #include "tests/catch.hpp"
 
 namespace {
@@ -72,27 +71,96 @@ std::string cut_beam(const std::string& formulation, const std::string& spring) 
 TEST_CASE("springs on a crack: the energy released at its tip in a turned strip", "[crack springs]") {
   constexpr double turn = 0.01, H = 1;
   const double D = stiffness(0.3), whole = D * turn * turn / H;
-  for (const std::string formulation : {"galerkin", "ordinary"})
-    for (const double share : {0.3, 1.0, 3.0}) {
-      const double k = share * D / H, M = 2 * turn / (2 * H / D + 1 / k);
-      const auto summary =
-          found(turned_strip(formulation, 0.1, fmt::format("[[spring]]\ncracks = [0]\nrotation_normal = {}\n", k)));
-      CAPTURE(formulation, share, summary.srif.front().errors[0].value_or(0));
-      REQUIRE(summary.srif.front().G);
-      CHECK(*summary.srif.front().G == Catch::Approx(whole - turn * M).epsilon(0.02));
-    }
+  for (const double share : {0.3, 1.0, 3.0, 10.0}) {
+    const double k = share * D / H, released = whole - turn * 2 * turn / (2 * H / D + 1 / k);
+    const auto summary =
+        found(turned_strip("galerkin", 0.1, fmt::format("[[spring]]\ncracks = [0]\nrotation_normal = {}\n", k)));
+    CAPTURE(share);
+    for (const auto& srif : summary.srif)  // measured: 0.53 % and 0.001 %
+      if (srif.G)
+        CHECK(*srif.G == Approx(released).epsilon(srif.method == post::SrifMethod::domain_integral ? 8e-3 : 1e-4));
+  }
 }
 
 TEST_CASE("springs on a crack: a beam cut in two turns and parts by what it carries", "[crack springs]") {
-  constexpr double moment = 0.25, shear = -0.25;  // at the cut, per width: the right half is held by its support alone
+  // at the cut, per width: what the support of the right half carries, and its moment
+  constexpr double carried = 0.25, width = 0.4, kw = 20;
+  const double D = stiffness(0), k = 0.5 * D;
   for (const std::string formulation : {"galerkin", "ordinary"}) {
-    const double D = stiffness(0), k = 0.5 * D, kw = 20;
-    const auto joined = found(cut_beam(
-        formulation, fmt::format("[[spring]]\ncracks = [0]\ndeflection = {}\nrotation_normal = {}\n"
-                                 "rotation_tangential = {}\n",
-                                 kw, k, D)));
     CAPTURE(formulation);
-    CHECK(std::abs(value_of(joined.lines, "moment")) == Catch::Approx(0.4 * moment).epsilon(2e-3));
-    CHECK(std::abs(value_of(joined.lines, "shear")) == Catch::Approx(0.4 * std::abs(shear)).epsilon(2e-3));
+    post::ResultsInMemory tables;
+    const auto spring = fmt::format(
+        "[[spring]]\ncracks = [0]\ndeflection = {}\nrotation_normal = {}\n"
+        "rotation_tangential = {}\n",
+        kw, k, D);
+    const auto joined =
+        cases::run(cases::read_case_text(cut_beam(formulation, spring), "plate", {}), {{}, true, &tables});
+    CHECK(value_of(joined.lines, "moment") == Approx(width * carried).epsilon(1e-6));
+    CHECK(value_of(joined.lines, "shear") == Approx(width * carried).epsilon(1e-4));
+    const auto& rows =
+        std::ranges::find(tables.tables, "crack_springs", &std::pair<std::string, post::Table>::first)->second;
+    const auto number = [&](const std::string& column) {
+      return std::get<double>(rows.rows[rows.rows.size() / 2][rows.column(column)]);
+    };
+    CHECK(number("rotation") == Approx(carried / k).epsilon(1e-3));
+    // small beside deflections, which bonds carry to the faces by linear fields: measured 0.4 and 9 %
+    CHECK(number("deflection") == Approx(carried / kw).epsilon(formulation == "galerkin" ? 0.01 : 0.12));
   }
+}
+
+TEST_CASE("springs on a crack: stiff ones leave an uncut plate, all resist the motion of the beam", "[crack springs]") {
+  const std::string stiff =
+      "[[spring]]\ncracks = [0]\ndeflection = 1e5\nrotation_normal = 1e4\nrotation_tangential = 1e4\n";
+  auto whole = cut_beam("galerkin", "");
+  whole.erase(whole.find("cracks ="), whole.find("[[support]]") - whole.find("cracks ="));
+  const auto joined = found(cut_beam("galerkin", stiff)), uncut = found(whole);
+  for (std::size_t i = 0; i < joined.probes.size(); ++i)
+    if (joined.probes[i].quantity == "w") CHECK(joined.probes[i].value == Approx(uncut.probes[i].value).epsilon(1e-4));
+  const auto strain = [](const post::Summary& summary) {
+    return std::ranges::find(summary.energy, "strain", &std::pair<std::string, double>::first)->second;
+  };
+  CHECK(strain(joined) == Approx(strain(uncut)).epsilon(1e-4));
+}
+
+TEST_CASE("a crack through a part of the thickness: Rice and Levy's equations of a thin plate", "[crack springs]") {
+  // semi-elliptic, half length 0.05, half of the thickness deep: K at its middle over sqrt(depth), by a series of 61
+  // terms for the classical plate; thicknesses of 1/25 of the half length
+  constexpr double half = 0.05, depth = 0.001, h = 0.002;
+  for (const auto& [load, expected] :
+       {std::pair{fmt::format("kind = \"edge_traction\"\nvalue = {}\n", h), 2.48365},
+        std::pair{fmt::format("kind = \"edge_moment\"\nvalue = {}\n", h * h / 6), 1.27722}}) {
+    for (const bool below : {false, true}) {
+      CAPTURE(load, below);
+      auto text = fmt::format(
+          "[section]\nyoung = 1000\npoisson = 0.3\nthickness = {}\n[geometry]\noutline = {{ rectangle = [-0.5, -0.5, "
+          "0.5, 0.5] }}\ncracks = [[[-{}, 0.0], [{}, 0.0]]]\n[[support]]\nkind = \"pinned\"\npoints = [[-0.5, -0.5], "
+          "[0.5, -0.5], [0.0, 0.5]]\n[[support]]\nkind = \"in_plane\"\nin_plane = \"fixed\"\npoints = [[-0.5, 0.0]]\n"
+          "[[support]]\nkind = \"in_plane\"\nin_plane = \"y\"\npoints = [[0.5, 0.0]]\n[[spring]]\ncracks = [0]\n"
+          "depth = \"{}*sqrt(1-min(1,(x/{})^2))\"\n{}[[load]]\n{}edges = [\"bottom\", \"top\"]\n",
+          h, half, half, depth, half, below ? "from = \"below\"\n" : "", load);
+      if (below && load.find("moment") != load.npos) text.replace(text.find("value = "), 8, "value = -");
+      const auto summary = found(text + points("galerkin", 1.0 / 30) + "");
+      const auto front = std::ranges::find(summary.lines, "K_front", &post::ProbeValue::quantity);
+      REQUIRE(front != summary.lines.end());
+      CHECK(front->value / std::sqrt(depth) == Approx(expected).epsilon(0.02));
+      CHECK(std::abs(front->position.x()) < 0.1 * half);
+    }
+  }
+}
+
+TEST_CASE("springs on a crack: what they cannot be", "[crack springs]") {
+  const auto refused = [](const std::string& spring) {
+    try {
+      found(cut_beam("galerkin", "[[spring]]\n" + spring));
+    } catch (const cases::CaseError& error) {
+      return error.problems().front().key + ": " + error.problems().front().what;
+    }
+    return std::string("accepted");
+  };
+  CHECK(refused("cracks = [1]\ndeflection = 1\n").starts_with("spring[0].cracks: 1 given, must be from 0 to 0"));
+  CHECK(refused("cracks = [0.5]\ndeflection = 1\n").find("must be a number of a crack") != std::string::npos);
+  CHECK(refused("cracks = [0]\n").find("resists nothing") != std::string::npos);
+  CHECK(refused("cracks = [0]\ndepth = 0.01\nopening = 1\n").find("remove the others") != std::string::npos);
+  CHECK(refused("cracks = [0]\ndepth = 0.049\n").starts_with("spring[0].depth: 0.049 at"));
+  CHECK(refused("edges = [\"top\"]\nopening = 1\n").find("are of springs on cracks") != std::string::npos);
 }
