@@ -366,6 +366,13 @@ void add_growth(const Case& content, AskedParts& add) {
   add(g.detached == fracture::Growth::Detached::freeze, frozen_pieces);
 }
 
+void add_factors(const post::SrifOptions& srif, AskedParts& add) {
+  add(srif.accuracy.has_value(), factors_to_accuracy);
+  add(srif.richardson, richardson);
+  add(srif.second_formulation, second_formulation);
+  add(srif.toughness.has_value(), toughness);
+}
+
 }  // namespace
 
 std::vector<Part> parts_of(const Case& content, bool distributed) {
@@ -414,12 +421,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(content.section.heavier_on_one_side(), heavier_on_one_side);
   const bool axial = std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches);
   add(axial, axial_stiffener);
-  if (const auto& srif = content.srif) {
-    add(srif->accuracy.has_value(), factors_to_accuracy);
-    add(srif->richardson, richardson);
-    add(srif->second_formulation, second_formulation);
-    add(srif->toughness.has_value(), toughness);
-  }
+  if (content.srif) add_factors(*content.srif, add);
   add(a.preconditioner == plate::Preconditioning::local, local_preconditioner);
   add(std::ranges::any_of(content.supports, plate::is_layer, &plate::Support::kind), layers);
   add(std::ranges::any_of(content.supports, is_hub), hubs);

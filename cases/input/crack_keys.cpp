@@ -1,6 +1,5 @@
 #include <numbers>
 
-#include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
 #include "geometry/shape/smooth_curve.hpp"
 #include "plate/model/problem.hpp"
@@ -148,7 +147,7 @@ Field<plate::Problem> cracks_field() {
   return result;
 }
 
-void smooth_cracks(Case& content, Reading& reading) {
+void smooth_cracks(plate::Problem& content, Reading& reading) {
   const auto given = content.cracks;
   for (std::size_t i = 0; i < given.size(); ++i) {
     const auto smooth = geometry::smooth_crack(given, i, geometry::tolerance(content.outline));

@@ -74,7 +74,7 @@ void snap_cracks(Case& content, Reading& reading);
 void merge_cracks(Case& content, Reading& reading);
 /// Takes polylines that are drawn as curves are for curves (geometry::smooth_crack), and notes that. Of a case without
 /// problems.
-void smooth_cracks(Case& content, Reading& reading);
+void smooth_cracks(plate::Problem& content, Reading& reading);
 /// Notes a thickness that no plate has beside its sides. Of a case without problems.
 void look_at_proportions(const Case& content, Reading& reading);
 

@@ -145,13 +145,6 @@ double expected_points(const plate::Problem& problem) {
                                    problem.discretization.spacing, plate::grading_of(problem, 1));
 }
 
-plate::Discretization widened(plate::Discretization points, double wider) {
-  points.spacing *= wider, points.spacing_growth = std::min(1.0, points.spacing_growth * wider);
-  if (points.tip_spacing) *points.tip_spacing *= wider;
-  if (points.hole_spacing) *points.hole_spacing *= wider;
-  return points;
-}
-
 plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const ReducedRun& reduced,
                         bool grows) {
   if (analysis.kind == Analysis::Kind::static_) {

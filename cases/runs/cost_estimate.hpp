@@ -48,9 +48,6 @@ RunEstimate estimate_cost(const Case& c, const RunSample& run);
 /// Estimates the number of points of a plate without discretising it.
 double expected_points(const plate::Problem& problem);
 
-/// Points that are so much wider apart, and graded as much.
-plate::Discretization widened(plate::Discretization points, double wider);
-
 /// The analysis of a sample: by the solver that the whole plate takes, and in motion as many steps as it is asked for.
 plate::Analysis sampled(plate::Analysis analysis, const plate::UsualSolver& solver, const ReducedRun& reduced,
                         bool grows);

@@ -6,6 +6,7 @@
 
 #include "cases/input/case_file.hpp"
 #include "cases/runs/cost_estimate.hpp"
+#include "cases/runs/run_plan.hpp"
 #include "fracture/breakage/damaged_plate.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "geometry/lattice/cloud.hpp"

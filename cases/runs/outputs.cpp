@@ -16,6 +16,7 @@
 #include "post/report/cost_model.hpp"
 #include "post/report/errors_of_results.hpp"
 #include "post/report/html_report.hpp"
+#include "post/report/probes_and_lines.hpp"
 
 namespace cases {
 
@@ -70,7 +71,7 @@ void Outputs::warn(std::vector<std::string> warnings) {
 
 void Outputs::place_probes(const plate::Formulation& plate) {
   probes_ = probes_of(content().output.probes, plate);
-  springs_ = post::SpringsOnCracks(plate);
+  if (content().ties_faces()) springs_ = std::make_unique<post::SpringsOnCracks>(plate);
   lines_.clear();
   for (const auto& [name, ends] : content().output.lines)
     lines_.push_back(post::sampled_line(name, ends[0], ends[1], plate));
@@ -142,7 +143,7 @@ void name_settings_by_keys(post::Summary& summary) {
 }  // namespace
 
 bool Outputs::takes_values() const {
-  const bool wanted = !probes_.empty() || !lines_.empty() || content().ties_faces();
+  const bool wanted = !probes_.empty() || !lines_.empty() || springs_;
   return wanted && content().analysis.kind == Analysis::Kind::static_ && !content().growth;
 }
 
@@ -157,7 +158,7 @@ void Outputs::take_values(const plate::Formulation& plate, const post::Frame& fr
     if (content().analysis.nonlinear) std::erase_if(own, [](const auto& one) { return one.quantity == "shear"; });
     std::ranges::move(own, std::back_inserter(sums));
   }
-  if (content().ties_faces()) std::ranges::move(springs_.take(frame, spring_rows_), std::back_inserter(sums));
+  if (springs_) std::ranges::move(springs_->take(frame, spring_rows_), std::back_inserter(sums));
 }
 
 /// Gives the summary the values at probes, and errors to all.

@@ -11,7 +11,11 @@
 #include "post/files/recorder.hpp"
 #include "post/files/summary.hpp"
 #include "post/report/pictures.hpp"
-#include "post/report/probes_and_lines.hpp"
+
+namespace post {
+class SpringsOnCracks;
+struct SampledLine;
+}  // namespace post
 
 namespace plate {
 class NumericalError;
@@ -98,7 +102,7 @@ private:
   // of the frames of a plate at rest
   std::vector<std::vector<post::ProbeValue>> values_, sums_;
   std::vector<post::SampledLine> lines_;
-  post::SpringsOnCracks springs_;
+  std::unique_ptr<const post::SpringsOnCracks> springs_;  // where there are some
   post::Table line_rows_, spring_rows_;
   std::optional<post::OtherResults> other_;
   post::Pictures pictures_;             // for the report

@@ -22,4 +22,11 @@ plate::GridOptions grid_options(const Case& c) {
   return {c.analysis, c.output.history_every, most};
 }
 
+plate::Discretization widened(plate::Discretization points, double wider) {
+  points.spacing *= wider, points.spacing_growth = std::min(1.0, points.spacing_growth * wider);
+  if (points.tip_spacing) *points.tip_spacing *= wider;
+  if (points.hole_spacing) *points.hole_spacing *= wider;
+  return points;
+}
+
 }  // namespace cases

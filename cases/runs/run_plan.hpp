@@ -5,8 +5,9 @@
 #include "plate/model/point_map.hpp"
 
 namespace plate {
+struct Discretization;
 struct GridOptions;
-}
+}  // namespace plate
 
 namespace post {
 struct ReportedCase;
@@ -40,5 +41,8 @@ struct RunPlan {
 
 /// Options for the steps of a motion: growth keeps a distance from the stable one.
 plate::GridOptions grid_options(const Case& c);
+
+/// Points that are so much wider apart, and graded as much.
+plate::Discretization widened(plate::Discretization points, double wider);
 
 }  // namespace cases

@@ -15,7 +15,6 @@
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/motion/stretched_motion.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
-#include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
 #include "post/report/terminal.hpp"
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "cases/runs/analyses.hpp"
-#include "cases/runs/cost_estimate.hpp"
 #include "cases/runs/results.hpp"
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/formulation.hpp"

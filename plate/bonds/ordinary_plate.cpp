@@ -19,6 +19,7 @@
 #include "plate/bonds/validation.hpp"
 #include "plate/bonds/visibility.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/hubs.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/layout.hpp"

@@ -72,7 +72,7 @@ public:
   /// Dirichlet lift: values of the held degrees of freedom under a unit motion of supports, with all free ones at rest
   /// [3 x points]; without columns where none of them moves.
   State lift(std::size_t motion, std::size_t points) const;
-  /// The same values, of what they are not zero; empty where none of them moves.
+  /// Held values that are not zero; empty where none of them moves.
   std::vector<Leader> lifted(std::size_t motion) const;
   /// Forces on what is held, in that order, before they are carried over.
   Eigen::VectorXd on_held(const Forces& forces) const;

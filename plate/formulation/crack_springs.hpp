@@ -12,8 +12,8 @@ struct Problem;
 struct Spring;
 enum class PlateLaw;
 
-/// What is carried from face to face of a crack at a place, per length: n the normal of the crack from right to left,
-/// s = n turned by +90 degrees; what opens the crack is positive.
+/// Forces and couples from face to face of a crack at a place, per length: n the normal of the crack from right to
+/// left, s = n turned by +90 degrees; what opens the crack is positive.
 struct CarriedAcross {
   double moment = 0, twist = 0, shear = 0;        // M_nn, M_ns [force], Q_n [force/length]
   double normal_force = 0, tangential_force = 0;  // N_nn, N_ns [force/length]

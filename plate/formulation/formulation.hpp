@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 #include "geometry/shape/crack_path.hpp"
-#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/numerical_method.hpp"
 
@@ -24,6 +23,7 @@ class PointSections;
 class Stretching;
 class TipView;
 struct Boundary;
+struct FacePair;
 struct Layout;
 struct Mechanisms;
 struct Mesh;

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "plate/formulation/elastic_supports.hpp"
-#include "plate/formulation/face_pairs.hpp"
 
 namespace geometry {
 struct Cloud;
@@ -11,6 +10,7 @@ struct Tessellation;
 
 namespace plate {
 
+struct FacePair;
 struct Problem;
 struct Stiffener;
 enum class PlateLaw;

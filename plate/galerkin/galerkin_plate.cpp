@@ -8,6 +8,7 @@
 
 #include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/discretised.hpp"
+#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/layout.hpp"

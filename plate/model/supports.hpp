@@ -75,7 +75,7 @@ Held held_by(SupportKind kind);
 /// Likewise of the displacements in the plane.
 Held held_in_plane(InPlane in_plane);
 
-/// What a plate at rest has lifted off of the supports that only push.
+/// Share and gaps of the supports that only push, off which a plate at rest has lifted.
 struct LiftedSupports {
   double share = 0;        // of their points
   double largest_gap = 0;  // [length]

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/state.hpp"
 

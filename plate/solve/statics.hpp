@@ -7,12 +7,13 @@
 
 #include "plate/formulation/operator.hpp"
 #include "plate/model/numerical_method.hpp"
-#include "plate/solve/pushing_supports.hpp"
+#include "plate/model/supports.hpp"
 
 namespace plate {
 
 class Constraints;
 class Formulation;
+class PushingSupports;
 struct Analysis;
 
 /// Tolerance of a static solution. The residual is |r| / |load| with |r|^2 = sum r_i^2 / K_ii over the free degrees of

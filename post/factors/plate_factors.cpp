@@ -22,6 +22,7 @@
 #include "plate/solve/stretching.hpp"
 #include "post/factors/errors.hpp"
 #include "post/factors/tip_integrals.hpp"
+#include "post/factors/tip_place.hpp"
 
 namespace post {
 namespace {

@@ -222,9 +222,9 @@ private:
     return result;
   }
 
-  /// What a field of free faces on the line leaves on those of a curve y = curvature x^2 / 2, to the first order: M_xy
-  /// and w,y - psi_y at r = 1 on the upper face, of degrees m and m + 1 for psi of degree m = n/2; and M_xy by the
-  /// shear, of degree m + 2.
+  /// Forces that a field of free faces on the line leaves on those of a curve y = curvature x^2 / 2, to the first
+  /// order: M_xy and w,y - psi_y at r = 1 on the upper face, of degrees m and m + 1 for psi of degree m = n/2; and M_xy
+  /// by the shear, of degree m + 2.
   struct Left {
     double twist, slip, twist_of_shear;
   };

@@ -25,8 +25,7 @@ Eigen::Vector3d change_ahead(const TipView& plate, std::uint32_t k, const TipFra
 
 namespace {
 
-/// What psi = (-theta_y, theta_x) changes by where the axes turn with a tip that moves along a curve: kappa J psi
-/// [1 / length].
+/// Change of psi = (-theta_y, theta_x) where the axes turn with a tip that moves along a curve: kappa J psi [1/length].
 Point turned(const TipFrame& frame, const plate::Kinematics<>& at) {
   return frame.curvature * Point(-at.theta_x, -at.theta_y);
 }

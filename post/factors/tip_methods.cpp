@@ -14,6 +14,7 @@
 #include "post/factors/interaction.hpp"
 #include "post/factors/series_fit.hpp"
 #include "post/factors/tip_integrals.hpp"
+#include "post/factors/tip_place.hpp"
 
 namespace post {
 namespace {

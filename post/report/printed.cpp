@@ -237,6 +237,14 @@ void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness)
   }
 }
 
+void buckling(Text out, const std::vector<BucklingFactor>& modes) {
+  if (modes.empty()) return;
+  fmt::format_to(out, "{:>4} {:>15} {:>9} {:>9}\n", "mode", "load factor", "residual", "error");
+  for (const auto& one : modes)
+    fmt::format_to(out, "{:>4} {:>15.8g} {:>9.1e} {:>9}\n", one.mode, one.factor, one.residual,
+                   one.error ? fmt::format("{:.2g} %", 100 * *one.error / one.factor) : "");
+}
+
 /// Integrals along lines.
 void sums(Text out, const std::vector<ProbeValue>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -393,11 +401,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     fmt::format_to(out, "{:>4} {:>13.6f} {:>13.5f} {:>9.1e}{}{}\n", f.mode, f.frequency, f.omega, f.residual,
                    both ? fmt::format("  {:>14.3g}", f.share_in_plane.value_or(0)) : "",
                    f.error && f.frequency > 0 ? fmt::format("{:>8.2g} %", 100 * *f.error / f.frequency) : "");
-  if (!summary.buckling.empty())
-    fmt::format_to(out, "{:>4} {:>15} {:>9} {:>9}\n", "mode", "load factor", "residual", "error");
-  for (const auto& one : summary.buckling)
-    fmt::format_to(out, "{:>4} {:>15.8g} {:>9.1e} {:>9}\n", one.mode, one.factor, one.residual,
-                   one.error ? fmt::format("{:.2g} %", 100 * *one.error / one.factor) : "");
+  buckling(out, summary.buckling);
   if (!summary.load_steps.rows.empty()) text += printed_load_steps(summary.load_steps);
   text += printed_responses(summary.response, si);
   if (!summary.resonances.empty()) fmt::format_to(out, "resonances: {:.6g}\n", fmt::join(summary.resonances, ", "));

@@ -44,7 +44,6 @@ std::vector<ProbeValue> sums_along(const SampledLine& line, const std::vector<Pr
 /// Springs between the faces of the cracks of a plate, by numbers of springs.
 class SpringsOnCracks {
 public:
-  SpringsOnCracks() = default;
   explicit SpringsOnCracks(const plate::Formulation& plate);
 
   /// Adds rows of crack_springs.csv: `time`, the spring, x, y and what it carries there. Adds columns to an empty

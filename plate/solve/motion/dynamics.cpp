@@ -239,10 +239,9 @@ void steps(const InternalForce& internal_force, const Constraints& constraints, 
   Values<Real> force;
   std::optional<PendingExchange> rest;  // of the state
   for (std::size_t step = begin;; ++step) {
-    const bool row = step % options.observe_every == 0 || step == options.steps;
+    const bool last = step == options.steps, row = last || step % options.observe_every == 0;  // longer ones go on
     if (rest && (row || options.changes)) rest->complete();
     const bool stops = stops_at(constraints, row), observed = row || stops;
-    const bool last = step == options.steps;  // a longer motion goes on from there
     if (options.save && (stops || last || ((row || !constraints.distributed()) && options.due()))) {
       MotionCheckpoint memory{step, state, velocity, {}, {}, {}};
       masses.save(memory), contact_and_damping.save(memory);

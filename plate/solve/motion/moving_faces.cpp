@@ -5,6 +5,7 @@
 #include <set>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
+#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/crack_contact.hpp"

@@ -1,4 +1,5 @@
 #include "cases/runs/cost_estimate.hpp"
+#include "cases/runs/run_plan.hpp"
 
 #include "plate/model/errors.hpp"
 #include "tests/unit/cases/case_text.hpp"
