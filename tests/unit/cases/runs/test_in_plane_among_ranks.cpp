@@ -341,7 +341,8 @@ namespace {
 /// it in its plane.
 std::vector<std::string> with_touching_faces(bool bonds) {
   return {
-      "geometry={outline={rectangle=[-0.5,-0.7,0.5,0.7]},cracks=[[[-0.21,-0.13],[0.19,0.12]],[[0.5,0.4],[0.25,0.33]]]}",
+      "geometry={outline={rectangle=[-0.5,-0.75,0.5,0.75]},cracks=[[[-0.21,-0.13],[0.19,0.12]],[[0.5,0.4],[0.25,0.33]]]"
+      "}",
       "cracks={contact=true}",
       "section.thickness=0.2",
       "support=[{kind='simply_supported',edges=['bottom','top']}]",
@@ -349,7 +350,7 @@ std::vector<std::string> with_touching_faces(bool bonds) {
       "analysis={kind='static',tolerance=1e-11}",
       "srif={}",
       "output.probes={a=[0.3,0.2],b=[0,0.65]}",
-      bonds ? "discretization={formulation='ordinary',spacing=0.05}"
+      bonds ? "discretization={formulation='ordinary',spacing=0.0625}"
             : "discretization={formulation='galerkin',spacing=0.1,tip_spacing=0.03}"};
 }
 
@@ -360,24 +361,25 @@ TEST_CASE("a plate in parts: faces of cracks that touch, at rest, in load cases 
   auto one_state = with_touching_faces(bonds), cases = one_state, nonlinear = one_state;
   cases.insert(cases.end(), {"-load",
                              "support=[{kind='simply_supported',edges=['bottom'],in_plane='normal'},"
-                             "{kind='simply_supported',edges=['top']},{kind='in_plane',points=[[0,-0.7]]}]",
+                             "{kind='simply_supported',edges=['top']},{kind='in_plane',points=[[0,-0.75]]}]",
                              "case=[{name='press',load=[{kind='edge_traction',edges=['top'],value=-1}]},"
                              "{name='bend',load=[{kind='pressure',value=0.1}]}]",
                              "combination=[{name='both',of={press=0.3,bend=-1}}]"});
   nonlinear.insert(nonlinear.end(), {"-srif", "analysis={kind='static',nonlinear=true,tolerance=1e-10}"});
-  for (const auto& settings : {one_state, cases, nonlinear}) {
+  auto tried = std::vector{one_state, cases};
+  if (!bonds) tried.push_back(nonlinear);  // of bonds 20 s
+  for (const auto& settings : tried) {
     const auto file = read(plain, settings);
     const auto ordinary = found(file, 0);
-    const auto& faces = ordinary.numbers.at("contact");
-    for (const int processes : {1, 2}) {
-      INFO((bonds ? "bonds, " : "Galerkin, ") << processes << " processes, " << settings.back());
-      const auto many = found(file, processes);
-      if (!bonds) CHECK(many.warnings == ordinary.warnings);  // one process compares bonds with cells
-      CHECK(apart(faces, many.numbers.at("contact"), {"x", "length", "opening_top", "pressure_bottom"}) < 1e-8);
-      CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-8);
-      CHECK(apart(ordinary, many, "probes", {"w", "u", "v"}) < 1e-8);
-      if (file.content.srif) CHECK(apart(ordinary, many, "srif", {"K1", "K2", "K3", "N1", "N2"}) < 1e-8);
-    }
+    const int processes = bonds ? 2 : 3;
+    INFO((bonds ? "bonds, " : "Galerkin, ") << processes << " processes, " << settings.back());
+    const auto many = found(file, processes);
+    if (!bonds) CHECK(many.warnings == ordinary.warnings);  // one process compares bonds with cells
+    // measured 9.6e-14, 8.7e-14, 8.3e-13, 1.2e-11
+    CHECK(apart(ordinary, many, "contact", {"x", "length", "opening_top", "pressure_bottom"}) < 1e-11);
+    CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-11);
+    CHECK(apart(ordinary, many, "probes", {"w", "u", "v"}) < 1e-11);
+    if (file.content.srif) CHECK(apart(ordinary, many, "srif", {"K1", "K2", "K3", "N1", "N2"}) < 1e-9);
   }
 }
 
@@ -388,6 +390,6 @@ TEST_CASE("a plate in parts: cracks that grow at rest while their faces touch") 
   const auto file = read(plain, settings);
   const auto ordinary = found(file, 0), many = found(file, 2);
   CHECK(many.warnings == ordinary.warnings);
-  CHECK(apart(ordinary, many, "growth", {"crack_length", "load_factor"}) < 1e-8);
-  CHECK(apart(ordinary, many, "tips", {"K1", "N1"}) < 1e-8);
+  CHECK(apart(ordinary, many, "growth", {"crack_length", "load_factor"}) < 1e-9);
+  CHECK(apart(ordinary, many, "tips", {"K1", "N1"}) < 1e-9);
 }
