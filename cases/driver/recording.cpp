@@ -110,6 +110,7 @@ struct EarlierMotion {
 std::optional<std::string> changed_key(toml::table earlier, const Case& c) {
   auto now = parsed_text(resolved_toml(c), "");
   if (c.moves()) {
+    if (!earlier["analysis"].is_table() || !earlier["output"].is_table()) return "analysis";
     const EarlierMotion before(earlier, c);
     if (plate::row_of(grid_options(before.of(c))) != plate::row_of(grid_options(c))) return "output.history_every";
     auto &old_analysis = *earlier["analysis"].as_table(), &analysis = *now["analysis"].as_table();

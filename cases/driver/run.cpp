@@ -109,7 +109,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   }
   look_at_errors(prepared, options);
   auto summary = run(prepared, outputs, checkpoints.get());
-  if (checkpoints) checkpoints->keep_last();
+  if (checkpoints) c.moves() ? checkpoints->keep_last() : checkpoints->done();
   return summary;
 }
 

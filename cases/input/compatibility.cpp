@@ -42,6 +42,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {load_cases, "`[[case]]`"},
     {combinations, "`[[combination]]`"},
     {springs_on_cracks, "`spring.cracks`"},
+    {springs_in_plane, "`opening`, `sliding` or `depth` of `[[spring]]`"},
     {part_through, "`spring.depth`"},
     {varied_section, "plies, directions, regions or factors of the section"},
     {directed_section, "a section with directions"},
@@ -293,8 +294,10 @@ const std::vector<Exclusion> excluded_pairs{
     {springs_on_cracks, growth, "growth",
      "springs between the faces of cracks are of cracks that do not grow: remove it, or spring[].cracks"},
     {springs_on_cracks, processes, "spring[].cracks", by_one_process("springs between faces cannot be made")},
-    {part_through, large_deflections, "spring[].depth",
-     "cracks through a part of the thickness are carried in linear theory: remove it, or analysis.nonlinear"},
+    {springs_in_plane, large_deflections, "analysis.nonlinear",
+     "springs between the faces of cracks act in the plane by linear theory: remove it, or opening, sliding and depth"},
+    {springs_on_cracks, touching_faces, "cracks.contact",
+     "contact is found between faces that nothing ties: remove it, or spring[].cracks"},
     {part_through, varied_section, "spring[].depth",
      "the springs of such cracks are known for one isotropic material: remove it, or what makes the section vary"},
     {touching_in_motion, processes, "cracks.contact", by_one_process("contact of faces in motion cannot be found")},
@@ -414,6 +417,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   add(!content.load_cases.empty() || !content.combinations.empty(), load_cases);
   add(!content.combinations.empty(), combinations);
   add(content.ties_faces(), springs_on_cracks);
+  add(std::ranges::any_of(content.springs, &plate::Spring::stretches), springs_in_plane);
   add(content.part_through(), part_through);
   add(!content.section.simple(), varied_section);
   add(!content.section.isotropic(), directed_section);

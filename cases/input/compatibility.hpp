@@ -40,6 +40,7 @@ enum class Part {
   load_cases,
   combinations,
   springs_on_cracks,
+  springs_in_plane,
   part_through,
   varied_section,
   directed_section,

@@ -189,9 +189,39 @@ void snap_cracks(Case& content, Reading& reading) {
                     snap.distance, snap.onto));
 }
 
+/// Gives springs between faces the numbers that their cracks have after some were joined into one.
+void renumber_springs(const std::vector<geometry::Polyline>& before, Case& content, Reading& reading) {
+  const double near = geometry::tolerance(content.outline);
+  std::vector<std::size_t> now;
+  for (const auto& crack : before)
+    now.push_back(std::size_t(std::ranges::find_if(content.cracks,
+                                                   [&](const geometry::Polyline& other) {
+                                                     return std::ranges::all_of(crack, [&](const geometry::Point& x) {
+                                                       return geometry::distance(other, x) <= near;
+                                                     });
+                                                   }) -
+                              content.cracks.begin()));
+  for (std::size_t i = 0; i < content.springs.size(); ++i) {
+    auto& cracks = content.springs[i].cracks;
+    std::set<std::size_t> tied;
+    for (const auto crack : cracks)
+      if (crack < now.size()) tied.insert(now[crack]);
+    for (std::size_t crack = 0; crack < now.size() && !cracks.empty(); ++crack)
+      if (tied.contains(now[crack]) && std::ranges::find(cracks, crack) == cracks.end())
+        reading.report_error(fmt::format("spring[{}].cracks", i),
+                             fmt::format("geometry.cracks[{}] is one crack with one of these, as both continue each "
+                                         "other in one line: name both, or leave a gap between them",
+                                         crack));
+    if (std::ranges::all_of(cracks, [&](std::size_t crack) { return crack < now.size(); }))
+      cracks.assign(tied.begin(), tied.end());
+  }
+}
+
 void merge_cracks(Case& content, Reading& reading) {
+  const auto before = content.cracks;
   auto found = geometry::merged(content.outline, std::move(content.cracks));
   content.cracks = std::move(found.cracks);
+  if (!found.continuations.empty()) renumber_springs(before, content, reading);
   for (const auto& [crack, onto] : found.continuations)
     reading.found().notes.push_back(fmt::format(
         "geometry.cracks[{}] continues geometry.cracks[{}] in one line: both are taken as one crack", crack, onto));

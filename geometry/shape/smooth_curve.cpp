@@ -332,7 +332,11 @@ Polyline drawn(const std::vector<Polyline>& cracks, std::size_t which, double to
   const auto found = fine_runs(given);
   if (found.empty()) return given;
   const auto ends = touching(cracks, which, tolerance);
-  return replaced(given, found, [&](const Polyline& part) {
+  return replaced(given, found, [&](const Polyline& fine_part) {
+    std::vector<Point> on_it;
+    for (const Point& x : ends)
+      if (distance(fine_part, x) <= tolerance) on_it.push_back(x);
+    const Polyline part = with_vertices(fine_part, on_it, tolerance);
     const LineThrough line(part);
     Polyline result{part.front()};
     std::size_t first = 0;
@@ -370,7 +374,7 @@ double signed_distance(const Polyline& line, const Point& x) {
   double side = side_of(nearest);
   // next to a vertex, the piece that the place is farther beside tells the side
   for (const std::size_t i : {nearest - 1, nearest + 1})
-    if (i + 1 < line.size() && distance_to_segment(line[i], line[i + 1], x) <= least * (1 + 1e-9) &&
+    if (i < line.size() - 1 && distance_to_segment(line[i], line[i + 1], x) <= least * (1 + 1e-9) &&
         std::abs(side_of(i)) > std::abs(side))
       side = side_of(i);
   return std::copysign(least, side);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 #include "plate/model/errors.hpp"
 #include "plate/model/problem.hpp"
@@ -47,9 +48,12 @@ double value(const Form& form, const State& state) {
   return result;
 }
 
-/// Number of the crack that a place lies on.
-std::size_t crack_at(const std::vector<geometry::Polyline>& cracks, const Point& x) {
-  const auto away = [&](const geometry::Polyline& crack) { return geometry::distance(crack, x); };
+/// Number of the crack that a place lies on, and that goes on there along a vector where cracks meet.
+std::size_t crack_at(const std::vector<geometry::Polyline>& cracks, const Point& x, const Point& way) {
+  const auto away = [&](const geometry::Polyline& crack) {
+    return geometry::distance(crack, x) +
+           std::min(geometry::distance(crack, x + way), geometry::distance(crack, x - way));
+  };
   return std::size_t(std::ranges::min_element(cracks, {}, away) - cracks.begin());
 }
 
@@ -103,7 +107,9 @@ std::vector<CrackSpring> crack_springs(const Problem& problem, std::size_t numbe
   const auto& spring = problem.springs[number];
   std::vector<CrackSpring> result;
   for (const auto& pair : pairs) {
-    if (std::ranges::find(spring.cracks, crack_at(problem.cracks, pair.position)) == spring.cracks.end()) continue;
+    constexpr double little = 0.1;
+    const auto crack = crack_at(problem.cracks, pair.position, little * pair.length * along(pair));
+    if (std::ranges::find(spring.cracks, crack) == spring.cracks.end()) continue;
     auto& one = result.emplace_back(pair);
     if (!spring.depth.given()) {
       one.deflection = spring.deflection, one.tangential = spring.rotation_tangential, one.sliding = spring.sliding;
@@ -112,7 +118,9 @@ std::vector<CrackSpring> crack_springs(const Problem& problem, std::size_t numbe
     }
     const auto section = problem.section.at(pair.position);
     const double depth = spring.depth(pair.position), h = section.thickness;
-    if (!(depth <= PartThroughCrack::deepest * h))
+    if (std::isnan(depth))
+      throw Refused({{Subject::spring_depth, number, "is no number at " + text_of(pair.position)}});
+    if (depth > PartThroughCrack::deepest * h)
       throw Refused({{Subject::spring_depth, number,
                       fmt::format("{:.4g} at {}: must be less than {:.2g} times the thickness {:.4g}", depth,
                                   text_of(pair.position), PartThroughCrack::deepest, h)}});
@@ -123,7 +131,7 @@ std::vector<CrackSpring> crack_springs(const Problem& problem, std::size_t numbe
 
 bool part_through_at(const Problem& problem, const Point& x) {
   if (!problem.part_through()) return false;
-  const auto crack = crack_at(problem.cracks, x);
+  const auto crack = crack_at(problem.cracks, x, Point(0, 0));
   return std::ranges::any_of(problem.springs, [&](const Spring& one) {
     return one.depth.given() && std::ranges::find(one.cracks, crack) != one.cracks.end();
   });

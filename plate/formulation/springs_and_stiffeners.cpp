@@ -314,9 +314,9 @@ ElasticSupport tied_faces(const Problem& problem, std::size_t number, const std:
   auto result = std::move(sum).taken(fmt::format("spring{}", number), std::nullopt, false);
   const auto& spring = problem.springs[number];
   const bool bends = problem.section.law == PlateLaw::bending;
-  result.joins = spring.depth.given() ||
-                 (bends ? spring.deflection > 0 && spring.rotation_normal > 0 && spring.rotation_tangential > 0
-                        : spring.opening > 0 && spring.sliding > 0);
+  // faces that stay together along a line do not twist against each other either
+  result.joins = spring.depth.given() || (bends ? spring.deflection > 0 && spring.rotation_normal > 0
+                                                : spring.opening > 0 && spring.sliding > 0);
   return result;
 }
 

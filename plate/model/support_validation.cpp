@@ -29,7 +29,10 @@ void check_keys(const Spring& spring, std::size_t number, std::vector<Refusal>& 
   if (spring.depth.given() && stiffness > 0)
     errors.push_back("depth gives the stiffnesses of a crack through a part of the thickness: remove the others");
   if (stiffness <= 0 && !spring.depth.given())
-    errors.push_back("resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
+    errors.push_back(ties ? "resists nothing: give deflection, rotation_normal, rotation_tangential, opening or "
+                            "sliding > 0, or depth"
+                          : "resists nothing: give deflection, rotation_normal, rotation_tangential or rotation > 0");
+  if (spring.from_below && !spring.depth.given()) errors.push_back("from is of a depth: remove it");
   if (!ties && spring.stretches()) errors.push_back("opening, sliding and depth are of springs on cracks");
   if (spring.position && spring.rotation_normal > 0) errors.push_back(fmt::format("rotation_normal{}", of_lines));
   if (spring.position && spring.rotation_tangential > 0)
@@ -78,10 +81,24 @@ void check_stiffener(const Problem& problem, std::size_t number, std::vector<Ref
              fmt::format("edge \"{}\" is clamped by `support {}`, which leaves nothing for a beam to do", edge, i)});
 }
 
+/// Adds refusals of cracks through a part of the thickness that another spring ties too.
+void check_depths(const Problem& problem, std::vector<Refusal>& found) {
+  for (std::size_t i = 0; i < problem.springs.size(); ++i)
+    for (std::size_t j = 0; j < problem.springs.size() && problem.springs[i].depth.given(); ++j)
+      for (const auto crack : problem.springs[i].cracks)
+        if (const auto& others = problem.springs[j].cracks;
+            (j < i || !problem.springs[j].depth.given()) && std::ranges::find(others, crack) != others.end())
+          found.push_back({Subject::spring_cracks, i,
+                           fmt::format("crack {} has a depth, which is all that carries there: remove it from "
+                                       "`spring {}`",
+                                       crack, j)});
+}
+
 }  // namespace
 
 std::vector<Refusal> errors_in_springs(const Problem& problem) {
   std::vector<Refusal> found;
+  check_depths(problem, found);
   for (std::size_t i = 0; i < problem.stiffeners.size(); ++i) check_stiffener(problem, i, found);
   for (std::size_t i = 0; i < problem.springs.size(); ++i) {
     check_keys(problem.springs[i], i, found);

@@ -186,7 +186,7 @@ namespace {
 void tell(const plate::Formulation& plate, std::vector<TipMethods>& methods) {
   std::string own;
   for (const auto& tip : methods) {
-    if (tip.here()) own += tip.works() ? '+' : '-';
+    if (tip.here() || !tip.left_out().empty()) own += tip.works() ? '+' : '-';
     for (const auto& line : tip.left_out()) own += line + '\n';
     own += '\f';
   }
