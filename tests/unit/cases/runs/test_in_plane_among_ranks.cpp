@@ -393,5 +393,5 @@ TEST_CASE("a plate in parts: cracks that grow at rest while their faces touch") 
   REQUIRE(ordinary.numbers.at("growth").rows.size() > 1);
   CHECK(many.warnings == ordinary.warnings);
   CHECK(apart(ordinary, many, "growth", {"crack_length", "load_factor"}) < 1e-10);  // measured 8e-14
-  CHECK(apart(ordinary, many, "tips", {"K1", "N1"}) < 1e-9);  // measured 1e-13
+  CHECK(apart(ordinary, many, "tips", {"K1", "N1"}) < 1e-9);                        // measured 1e-13
 }
