@@ -76,9 +76,9 @@ TEST_CASE("springs on a crack: the energy released at its tip in a turned strip"
     const auto summary =
         found(turned_strip("galerkin", 0.1, fmt::format("[[spring]]\ncracks = [0]\nrotation_normal = {}\n", k)));
     CAPTURE(share);
-    for (const auto& srif : summary.srif)  // measured: 0.53 % and 0.001 %
+    for (const auto& srif : summary.srif)  // measured: 0.53 % and 0.075 %
       if (srif.G)
-        CHECK(*srif.G == Approx(released).epsilon(srif.method == post::SrifMethod::domain_integral ? 8e-3 : 1e-4));
+        CHECK(*srif.G == Approx(released).epsilon(srif.method == post::SrifMethod::domain_integral ? 8e-3 : 1e-3));
   }
 }
 
@@ -139,10 +139,12 @@ TEST_CASE("a crack through a part of the thickness: Rice and Levy's equations of
           "depth = \"{}*sqrt(1-min(1,(x/{})^2))\"\n{}[[load]]\n{}edges = [\"bottom\", \"top\"]\n",
           h, half, half, depth, half, below ? "from = \"below\"\n" : "", load);
       if (below && load.find("moment") != load.npos) text.replace(text.find("value = "), 8, "value = -");
-      const auto summary = found(text + points("galerkin", 1.0 / 30) + "");
+      auto graded = points("galerkin", 1.0 / 30);
+      graded.insert(graded.find("[output]"), "tip_spacing = 0.005\nspacing_growth = 0.15\n");
+      const auto summary = found(text + graded);
       const auto front = std::ranges::find(summary.lines, "K_front", &post::ProbeValue::quantity);
       REQUIRE(front != summary.lines.end());
-      CHECK(front->value / std::sqrt(depth) == Approx(expected).epsilon(0.02));
+      CHECK(front->value / std::sqrt(depth) == Approx(expected).epsilon(0.008));
       CHECK(std::abs(front->position.x()) < 0.1 * half);
     }
   }
