@@ -75,8 +75,8 @@ Fields<CrackCurve> curve_fields() {
                read_spline, none),
       value<C>(
           {"file", "-", "a CSV file with the columns x, y", "",
-           "points of a picture in their order, sought beside the case: the curve of the fewest spans within "
-           "tolerance"},
+           "points of a picture in their order, sought beside the case: the curve of the fewest spans "
+           "near them"},
           [](const Value& given, C& curve) {
             const auto text = given.text();
             if (!text) return;
@@ -91,7 +91,7 @@ Fields<CrackCurve> curve_fields() {
       value<C>(
           {"origin", "length", "[x, y]", "", "file: where its coordinates are zero"},
           [](const Value& given, C& curve) { curve.origin = given.point().value_or(Point(0, 0)); }, none),
-      number<C>("tolerance", "length", &C::tolerance, positive,
+      number<C>("within", "length", &C::tolerance, positive,
                 "file: by which the curve may pass the points, as two pixels"),
   };
 }
@@ -103,19 +103,18 @@ std::optional<Polyline> crack_of(const Value& given) {
   read_fields(curve_fields(), given, curve);
   const auto is_given = [&](const char* name) { return reading.given(given.below(name)); };
   if (reading.sound(given.key()) && is_given("arc") + is_given("spline") + is_given("file") != 1)
-    given.refuse(
-        "a polyline [[x, y], ...], { arc = [...] }, { spline = [...] } or { file = \"...\", tolerance = ... }");
-  for (const char* name : {"scale", "origin", "tolerance"})
+    given.refuse("a polyline [[x, y], ...], { arc = [...] }, { spline = [...] } or { file = \"...\", within = ... }");
+  for (const char* name : {"scale", "origin", "within"})
     if (is_given(name) && !is_given("file")) reading.report_error(given.below(name), "is of file: remove it");
-  if (is_given("file") && !is_given("tolerance"))
-    reading.report_error(given.below("tolerance"), "is missing, must be a number > 0");
+  if (is_given("file") && !is_given("within"))
+    reading.report_error(given.below("within"), "is missing, must be a number > 0");
   if (!reading.sound(given.key())) return std::nullopt;
   if (curve.line) return curve.line;
   for (auto& x : curve.traced) x = curve.origin + curve.scale * x;
   const auto fitted = geometry::fitted_curve(curve.traced, curve.tolerance);
   if (fitted.spans == curve.traced.size())
     given.report_error(
-        fmt::format("no smooth curve passes its {} points within {:g}: give a larger tolerance, or one "
+        fmt::format("no smooth curve passes its {} points within {:g}: give a larger one, or one "
                     "crack for every part between corners",
                     curve.traced.size(), curve.tolerance));
   else

@@ -301,7 +301,8 @@ ElasticSupports restricted(const ElasticSupports& whole, const geometry::CellsPa
       const auto [point, component] = dof_at(index, one->points);
       return place[point] == none ? none : std::uint32_t(index_in_state({place[point], component}, points));
     };
-    ElasticSupport own{one->name, one->position, one->holds, points, {}, {}, {}, {}, {}};
+    ElasticSupport own{
+        .name = one->name, .position = one->position, .holds = one->holds, .joins = one->joins, .points = points};
     for (std::size_t r = 0; r < one->row.size(); ++r) {
       if (here(one->row[r]) == none) continue;
       own.row.push_back(here(one->row[r])), own.first.push_back(own.column.size());

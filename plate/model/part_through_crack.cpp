@@ -30,7 +30,7 @@ PartThroughCrack::PartThroughCrack(const Section& section, double depth, bool be
 
 Eigen::Matrix2d PartThroughCrack::stiffness() const {
   // energy released as the crack deepens: h^2 / E' pi of the integral of (shapes . stresses)^2 over the share
-  constexpr int intervals = 64;
+  constexpr int intervals = 512;
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   for (int i = 0; i <= intervals; ++i) {  // Simpson's rule
     const Eigen::Vector2d one = shapes(share_ * i / intervals);

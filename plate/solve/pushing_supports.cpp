@@ -15,7 +15,8 @@ namespace plate {
 namespace {
 
 constexpr auto flies_off =
-    "nothing holds the plate any more where its supports only push: it tips or flies off; turn `pushes`, or add loads "
+    "nothing holds the plate any more where its supports only push: it tips or flies off; push the other way, or add "
+    "loads "
     "that press it down";
 
 /// Directions in which points are pushed, of those whose deflection no support holds both ways.

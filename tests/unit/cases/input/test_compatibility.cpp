@@ -110,6 +110,9 @@ std::vector<Sample> samples_of_supports() {
       {hubs, hub_with("")},
       {hubs_on_springs, hub_with(", k_w = 1")},
       {nodes_on_edges, {{"discretization.boundary", "surface_nodes"}, {"discretization.formulation", "ordinary"}}},
+      {springs_on_cracks, {{"spring", "[{ cracks = [0], rotation_normal = 1 }]"}}},
+      {springs_in_plane, {{"spring", "[{ cracks = [0], opening = 1 }]"}}},
+      {part_through, {{"spring", "[{ cracks = [0], depth = 0.04 }]"}, {"discretization.formulation", "galerkin"}}},
   };
 }
 

@@ -29,6 +29,6 @@ TEST_CASE("cracks by arcs, splines and points of a file") {
   expect(cracks("{ spline = [[0, 0], [1, 0]] }"), ":7", "geometry.cracks[0].spline", "at least three points");
   expect(cracks("{ }"), ":7", "geometry.cracks[0]", "{ arc = [...] }");
   expect(cracks("{ arc = [0, 0, 0.5, 30, 150], scale = 2 }"), ":7", "geometry.cracks[0].scale", "is of file");
-  expect(cracks("{ file = \"missing.csv\", tolerance = 0.01 }"), ":7", "geometry.cracks[0].file", "missing.csv");
+  expect(cracks("{ file = \"missing.csv\", within = 0.01 }"), ":7", "geometry.cracks[0].file", "missing.csv");
   expect(cracks("{ circle = [0, 0, 1] }"), ":7", "geometry.cracks[0].circle", "");
 }

@@ -33,7 +33,7 @@ TEST_CASE("springs are checked against the plate, its supports and themselves") 
   CHECK(problems(spring("edges = [\"top\"]\ndeflection = 1\nrotation_normal = 2\nrotation_tangential = 3")).empty());
   CHECK(problems(spring("along = [[0.2, 0.2], [0.2, 0.8]]\ndeflection = 1")).empty());
   CHECK(problems(spring("position = [0.2, 0.2]\ndeflection = 1\nrotation = 1")).empty());
-  expect(spring("deflection = 1"), ":18", "spring[0]", "none given, must be one of edges, along and position");
+  expect(spring("deflection = 1"), ":18", "spring[0]", "none given, must be one of edges, along, position and cracks");
   expect(spring("position = [0, 0.5]\nedges = [\"top\"]\ndeflection = 1"), ":18", "spring[0]", "several given");
   expect(spring("edges = [\"top\"]"), ":18", "spring[0]", "resists nothing");
   expect(spring("edges = [\"top\"]\nrotation = 1"), ":18", "spring[0]", "rotation is of a spring at a position");
