@@ -1,6 +1,2 @@
-#define CATCH_CONFIG_RUNNER  // Catch2 2 defines its runner here
+#define CATCH_CONFIG_MAIN  // Catch2 2 defines its main program here
 #include "tests/catch.hpp"
-
-int main(int argc, char* argv[]) {
-  return Catch::Session().run(argc, argv);
-}

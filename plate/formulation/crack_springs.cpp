@@ -57,6 +57,16 @@ std::size_t crack_at(const std::vector<geometry::Polyline>& cracks, const Point&
   return std::size_t(std::ranges::min_element(cracks, {}, away) - cracks.begin());
 }
 
+/// Vector to the left of the way along a crack at a place on it.
+Point left_at(const geometry::Polyline& crack, const Point& x) {
+  std::size_t nearest = 0;
+  double least = INFINITY;
+  for (std::size_t i = 0; i + 1 < crack.size(); ++i)
+    if (const double away = geometry::distance({crack[i], crack[i + 1]}, x); away < least) least = away, nearest = i;
+  const Point way = crack[nearest + 1] - crack[nearest];
+  return {-way.y(), way.x()};
+}
+
 /// Springs at a place of a crack through a part of the thickness. What does not open it is carried on.
 void add_part(const Spring& spring, const Section& section, double depth, CrackSpring& result) {
   const double h = section.thickness, rigid = nearly_rigid * h;
@@ -110,7 +120,7 @@ std::vector<CrackSpring> crack_springs(const Problem& problem, std::size_t numbe
     constexpr double little = 0.1;
     const auto crack = crack_at(problem.cracks, pair.position, little * pair.length * along(pair));
     if (std::ranges::find(spring.cracks, crack) == spring.cracks.end()) continue;
-    auto& one = result.emplace_back(pair);
+    auto& one = result.emplace_back(pair.seen_from(left_at(problem.cracks[crack], pair.position)));
     if (!spring.depth.given()) {
       one.deflection = spring.deflection, one.tangential = spring.rotation_tangential, one.sliding = spring.sliding;
       one.opening.diagonal() << spring.opening, spring.rotation_normal;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geometry/shape/outline.hpp"
@@ -21,8 +22,15 @@ struct FacePair {
   std::vector<Share> left, right;  // of points in the displacements of both places; of a distributed plate those of
                                    // owned points; the weights of each add up to 1 over all ranks
   geometry::Point position{0, 0};
-  geometry::Point normal{0, 0};  // of the crack, from right to left
+  geometry::Point normal{0, 0};  // of the crack, from right to left; which face is left differs from pair to pair
   double length = 0;             // of the crack that they stand for [length]
+
+  /// Returns this pair with its normal on the same side as a vector.
+  FacePair seen_from(const geometry::Point& side) const {
+    FacePair result = *this;
+    if (normal.dot(side) < 0) std::swap(result.left, result.right), result.normal = -normal;
+    return result;
+  }
 
   /// Displacement (u, v) of a point in the plane along the normal; of a plate that bends that of the fibre at z = 1.
   double across(const PointValues& values) const { return normal.x() * values[2] - normal.y() * values[1]; }
@@ -34,11 +42,7 @@ struct FacePair {
     return result;
   }
   /// Adds forces that press both places apart.
-  void press(double force, Forces& forces) const {
-    const PointValues apart(0, -force * normal.y(), force * normal.x());
-    for (const auto& [point, weight] : left) forces.col(point) += weight * apart;
-    for (const auto& [point, weight] : right) forces.col(point) -= weight * apart;
-  }
+  void press(double force, Forces& forces) const { press(Eigen::Vector3d(0, force, 0), forces); }
 
   /// Differences of both places: deflection, opening, and sliding along the normal turned by +90 degrees.
   Eigen::Vector3d jumps(const State& state) const {

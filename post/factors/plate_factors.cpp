@@ -227,8 +227,8 @@ std::vector<TipMethods> tip_methods(const plate::Formulation& plate, const SrifO
     }
     if (plate::part_through_at(plate.problem(), tip.position)) {
       result.emplace_back(
-          false,
-          std::vector<std::string>{"the crack goes through a part of the thickness: see K_front in crack_springs.csv"});
+          false, std::vector<std::string>{
+                     "its crack has a depth, and K_front in crack_springs.csv; remove [srif] if all cracks do"});
       continue;
     }
     if (!view) view = plate.tip_view();
@@ -320,7 +320,7 @@ public:
       const double behind = -x.x();
       const bool on_crack =
           frame.curve.empty() ? behind > (1 - 1e-6) * x.norm() : behind < unbent && std::abs(x.y()) < 1e-3 * spacing;
-      if (behind > 0 && on_crack) pairs_.push_back({behind, pair});
+      if (behind > 0 && on_crack) pairs_.push_back({behind, pair.seen_from(frame.left())});
     }
     std::ranges::sort(pairs_, {}, &std::pair<double, plate::FacePair>::first);
     if (!pairs_.empty()) products_ = products_of(plate, pairs_);

@@ -135,7 +135,7 @@ function probes_section() {
 
 /** Sums along lines and springs on cracks, of every load case where there are some. */
 function sums_along() {
-  const { load_cases } = data.summary, words = { moment: "moment (sum of Mnn)", twist: "twist (sum of Mns)", shear: "shear force (sum of Qn)", normal_force: "normal force (sum of Nnn)", tangential_force: "tangential force (sum of Nns)", K_front: "largest K of the front" };
+  const { load_cases } = data.summary, words = { moment: "Mnn", twist: "Mns", shear: "Qn", normal_force: "Nnn", tangential_force: "Nns", K_front: "largest K" };
   const of = { moment: "moment", twist: "moment", shear: "force", normal_force: "force", tangential_force: "force", K_front: "face" };
   const runs = load_cases ? load_cases.map((one, n) => ({ name: one.name, path: `load_cases[${n}].lines`, all: one.lines ?? [] })) : [{ path: "lines", all: data.summary.lines ?? [] }];
   const values = runs.flatMap(run => run.all), quantities = [...new Set(values.map(one => one.quantity))];
@@ -147,7 +147,7 @@ function sums_along() {
   };
   const rows = runs.flatMap(run => [...new Set(run.all.map(one => one.line))].map(line => [...(load_cases ? [run.name] : []), line, ...quantities.map(quantity => cell(run, line, quantity))]));
   return [table([...(load_cases ? [{ title: "case", left: true }] : []), { title: "across", left: true }, ...quantities.map(quantity => ({ title: words[quantity], unit: scales[quantity].name }))], rows, { "data-table": "lines" }),
-    note("The normal n points to the right of the way along a line, or opens a crack; s along n turned by +90 degrees.")];
+    note("Sums along the way. The normal n points to the right of it along a line, to the left along a crack with springs; s along n turned by +90 degrees.", values.some(one => one.quantity === "K_front") ? " K is that of the front of a crack through a part of the thickness." : "")];
 }
 
 /** Values along lines and along cracks with springs: of the first load case where there are some. */

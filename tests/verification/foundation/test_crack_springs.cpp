@@ -108,6 +108,33 @@ TEST_CASE("springs on a crack: a beam cut in two turns and parts by what it carr
   }
 }
 
+TEST_CASE("springs on a crack: a dowelled joint beside a wheel, the same when the plate or the joint is turned round",
+          "[crack springs]") {
+  // the wheel's point moves the numbers of the points from face to face along the joint
+  const auto joint = [](const std::string& crack, double wheel) {
+    post::ResultsInMemory tables;
+    const auto text = section(0.2) + "[geometry]\noutline = { rectangle = [0.0, 0.0, 2.0, 1.0] }\ncracks = [" + crack +
+                      "]\n[[foundation]]\nmodulus = 3.0\n[[spring]]\ncracks = [0]\ndeflection = 20.0\n[[load]]\nkind = "
+                      "\"point_force\"\nvalue = -1.0\nposition = [" +
+                      fmt::format("{}, 0.5]\n", wheel) + points("galerkin", 0.05);
+    const auto summary = cases::run(cases::read_case_text(text, "plate", {}), {{}, true, &tables});
+    const auto& rows =
+        std::ranges::find(tables.tables, "crack_springs", &std::pair<std::string, post::Table>::first)->second;
+    double least = INFINITY, most = -INFINITY;
+    for (const auto& row : rows.rows) {
+      const double shear = std::get<double>(row[rows.column("shear")]);
+      if (const double y = std::get<double>(row[rows.column("y")]); y > 0.3 && y < 0.7)
+        least = std::min(least, shear), most = std::max(most, shear);
+    }
+    CHECK(least * most > 0);  // one sign beside the wheel
+    return value_of(summary.lines, "shear");
+  };
+  const double up = joint("[[1.0, 0.0], [1.0, 1.0]]", 0.9), down = joint("[[1.0, 1.0], [1.0, 0.0]]", 0.9);
+  CHECK(std::abs(up) > 0.05);
+  CHECK(down == Approx(-up).epsilon(1e-9));
+  CHECK(joint("[[1.0, 0.0], [1.0, 1.0]]", 1.1) == Approx(-up).epsilon(1e-3));
+}
+
 TEST_CASE("springs on a crack: stiff ones leave an uncut plate, all resist the motion of the beam", "[crack springs]") {
   const std::string stiff =
       "[[spring]]\ncracks = [0]\ndeflection = 1e5\nrotation_normal = 1e4\nrotation_tangential = 1e4\n";

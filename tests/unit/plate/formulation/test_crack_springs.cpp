@@ -39,6 +39,7 @@ TEST_CASE("springs on cracks: on their crack alone, no force under rigid motions
     double energy = 0;
     for (const auto& one : springs) {
       CHECK(std::abs(one.pair.position.y() + 0.5) < 1e-9);
+      CHECK((one.pair.normal - geometry::Point(0, 1)).norm() < 1e-9);  // to the left of the way along x
       const auto carried = one.carried(state, no_state());
       const double sliding = carried.twist / 0.5;
       energy += one.pair.length / 2 *
