@@ -52,9 +52,11 @@ function start() {
     again();
     fit_tables();
   });
-  const soon = work => requestAnimationFrame(() => requestAnimationFrame(work)); // once all is drawn
-  if (location.hash === "#check") soon(() => (check_paper(), soon(check)));
-  else document.documentElement.dataset.state = "drawn";
+  if (location.hash === "#check") {
+    check_paper();
+    check();
+  }
+  document.documentElement.dataset.state = "drawn";
 }
 
 /** For tests: how many cells of tables reach beyond the paper, in data-clipped of the root. */
@@ -76,7 +78,6 @@ function check() {
     for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 0) colours.add((pixels[i] << 16) | (pixels[i + 1] << 8) | pixels[i + 2]);
     canvas.dataset.colours = colours.size;
   }
-  document.documentElement.dataset.state = "drawn";
 }
 
 try {
