@@ -174,8 +174,32 @@ void Outputs::set_errors() {
     for (auto& peak : one.extremes) peak.error.reset();
 }
 
+namespace {
+
+/// Warnings of cracks through a part of the thickness that are pressed at their front, by rows of crack_springs.csv.
+std::vector<std::string> warnings_about_fronts(const post::Table& rows, const std::vector<plate::Spring>& springs) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < springs.size() && !rows.rows.empty(); ++i) {
+    const auto number = [&](const auto& row, const char* column) {
+      const auto* found = std::get_if<double>(&row[rows.column(column)]);
+      return found && row[rows.column("spring")] == post::Cell(fmt::format("spring{}", i)) ? *found : 0;
+    };
+    const auto worst = std::ranges::min_element(rows.rows, {}, [&](const auto& row) { return number(row, "K_front"); });
+    if (const double least = number(*worst, "K_front"); least < 0)
+      result.push_back(fmt::format(
+          "spring[{}]: faces overlap where K_front is negative, {:.3g} at ({:.4g}, {:.4g}); set spring[{}].from = "
+          "\"{}\" if "
+          "the crack begins there",
+          i, least, number(*worst, "x"), number(*worst, "y"), i, springs[i].from_below ? "above" : "below"));
+  }
+  return result;
+}
+
+}  // namespace
+
 post::Summary Outputs::finish() {
   set_errors();
+  warn(warnings_about_fronts(spring_rows_, content().springs));
   if (!line_rows_.rows.empty()) recorder_.table("lines", std::move(line_rows_));
   if (!spring_rows_.rows.empty()) recorder_.table("crack_springs", std::move(spring_rows_));
   name_settings_by_keys(summary_);

@@ -172,9 +172,21 @@ TEST_CASE("a crack through a part of the thickness: Rice and Levy's equations of
       const auto front = std::ranges::find(summary.lines, "K_front", &post::ProbeValue::quantity);
       REQUIRE(front != summary.lines.end());
       CHECK(front->value / std::sqrt(depth) == Approx(expected).epsilon(0.008));
+      CHECK(summary.warnings.empty());
       CHECK(std::abs(front->position.x()) < 0.15 * half);  // the place next to the middle: they are 0.011 apart
     }
   }
+}
+
+TEST_CASE("a crack through a part of the thickness that is pressed is told", "[crack springs]") {
+  const auto summary = found(cut_beam("galerkin", "[[spring]]\ncracks = [0]\ndepth = 0.02\nfrom = \"below\"\n"));
+  const auto other = found(cut_beam("galerkin", "[[spring]]\ncracks = [0]\ndepth = 0.02\n"));
+  const auto told = [](const post::Summary& one) {
+    return std::ranges::count_if(one.warnings,
+                                 [](const auto& text) { return text.find("faces overlap") != text.npos; });
+  };
+  CHECK(told(summary) + told(other) == 1);
+  CHECK(value_of(summary.lines, "moment") == Approx(value_of(other.lines, "moment")).epsilon(1e-6));
 }
 
 TEST_CASE("springs on a crack: what they cannot be", "[crack springs]") {
