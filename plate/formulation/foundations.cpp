@@ -159,6 +159,30 @@ void for_each_place(const Shape& patch, const CellRing& cell, const Visit& visit
   }
 }
 
+/// The function x y of a cell with four corners, scaled to 1 and -1 in turn at these: the only one of their values that
+/// the linear function of the cell does not see.
+class Hourglass {
+public:
+  explicit Hourglass(const CellRing& ring) : middle_((ring[0] + ring[1] + ring[2] + ring[3]) / 4) {
+    Eigen::Matrix2d sides;
+    sides << (ring[1] - ring[0]) / 2, (ring[3] - ring[0]) / 2;
+    inverse_ = sides.inverse();
+    slopes_ = (inverse_ * inverse_.transpose()).trace() / 3;
+  }
+
+  double at(const Point& x) const { return (inverse_ * (x - middle_)).prod(); }
+  /// Share of the corner with this number in the function.
+  static double share(std::size_t corner) { return corner % 2 == 0 ? 0.25 : -0.25; }
+  /// Means over a whole cell of its square, and of that of its slope.
+  static constexpr double square = 1.0 / 9;
+  double square_of_slope() const { return slopes_; }
+
+private:
+  Point middle_;
+  Eigen::Matrix2d inverse_;
+  double slopes_;
+};
+
 template <std::size_t N>
 void add_cell(const Foundation& foundation, const Shape& patch, const std::array<std::uint32_t, N>& cell,
               const std::vector<Point>& positions, ElasticSupportSum& sum) {
@@ -176,19 +200,29 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
     linear.row(Eigen::Index(i)) << 1 / double(N), (inverse * (ring[i] - middle)).transpose();
     dofs.push_back(dof(cell[i], 0));
   }
+  std::optional<Hourglass> hourglass;
+  if constexpr (N == 4) hourglass.emplace(ring);
   if (foundation.unilateral) {
     for_each_place(patch, ring, [&](const Point& x, double area) {
       std::vector<FormTerm> form;
+      const double beside = hourglass ? hourglass->at(x) : 0;
       for (std::size_t i = 0; i < N; ++i)
         form.push_back({dofs[i], linear(Eigen::Index(i), 0) +
-                                     linear.row(Eigen::Index(i)).template tail<2>().dot((x - middle).transpose())});
+                                     linear.row(Eigen::Index(i)).template tail<2>().dot((x - middle).transpose()) +
+                                     Hourglass::share(i) * beside});
       sum.add_unilateral(foundation.modulus * area, form);
     });
     return;
   }
   const auto slopes = linear.template rightCols<2>();
-  const Eigen::MatrixXd K = foundation.modulus * linear * gram(moments) * linear.transpose() +
-                            foundation.shear * moments.area * slopes * slopes.transpose();
+  Eigen::MatrixXd K = foundation.modulus * linear * gram(moments) * linear.transpose() +
+                      foundation.shear * moments.area * slopes * slopes.transpose();
+  if (hourglass) {
+    Eigen::Matrix<double, N, 1> shares;
+    for (std::size_t i = 0; i < N; ++i) shares[Eigen::Index(i)] = Hourglass::share(i);
+    K += (foundation.modulus * Hourglass::square + foundation.shear * hourglass->square_of_slope()) * moments.area *
+         shares * shares.transpose();
+  }
   sum.add(dofs, (K + K.transpose()) / 2);
 }
 

@@ -70,6 +70,26 @@ TEST_CASE("a foundation under a linear deflection acts as the pressure -k w does
     }
 }
 
+TEST_CASE("a foundation feels deflections that change their sign from one corner of its cells to the next") {
+  const double spacing = 0.1, area = 1.2;
+  const auto cells = geometry::tessellation(outline, {}, spacing, {}, {});
+  const auto energy = [&](const Foundation& foundation) {
+    ElasticSupportSum sum(cells.positions.size());
+    add_foundation(foundation, cells, sum);
+    const auto soil = std::move(sum).taken("foundation0", {});
+    State u = State::Zero(3, Eigen::Index(cells.positions.size()));
+    for (std::size_t k = 0; k < cells.positions.size(); ++k) {
+      const Point x = cells.positions[k] / spacing;
+      u(0, Eigen::Index(k)) = (std::lround(x.x()) + std::lround(x.y())) % 2 == 0 ? 1 : -1;
+    }
+    return soil.energy(u);
+  };
+  REQUIRE(cells.triangles.empty());
+  // of the function that is linear along the sides of cells: its mean square is 1/9, that of its slope 8/3 / spacing^2
+  CHECK(energy({25, 0, {}}) == Approx(25 * area / 9 / 2).epsilon(1e-12));
+  CHECK(energy({0, 25, {}}) == Approx(25 * area * 8 / 3 / spacing / spacing / 2).epsilon(1e-12));
+}
+
 TEST_CASE("the shear layer of a foundation has its energy under linear deflections, and none under translations") {
   const Point g(0.7, -0.4);
   for (const auto& patch : patches) {
