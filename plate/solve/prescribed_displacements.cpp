@@ -1,5 +1,6 @@
 #include "plate/solve/prescribed_displacements.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -156,6 +157,47 @@ LiftParts split_lift(const Formulation& plate, const State& lift) {
                                       motions.size() * state.bottomRows(2).cwiseAbs().maxCoeff()));
   };
   if (largest(result.rest) <= rounding * largest(lift)) result.rest.setZero();
+  result.rigid = motions.sum(shares);
+  return result;
+}
+
+LoadParts split_load(const Formulation& plate, const Forces& load) {
+  constexpr double rounding = 1e-12;
+  const auto& supports = plate.boundary().elastic_supports;
+  const auto& constraints = plate.constraints();
+  const LoadParts none{no_state(), load};
+  if (largest_of(plate, constraints.held().empty() ? 0 : 1) > 0 || !plate.offers(Feature::symmetry)) return none;
+  const RigidMotions motions(plate);
+  std::array<State, 3> bodies;
+  std::array<Forces, 3> pressed;
+  for (std::size_t i = 0; i < 3; ++i) {
+    bodies[i] = motions.sum(Eigen::Vector3d::Unit(Eigen::Index(i)));
+    State moved = bodies[i];
+    constraints.impose(moved);
+    if (largest_of(plate, (moved - bodies[i]).cwiseAbs().maxCoeff()) > rounding) return none;
+    supports.add_force(bodies[i], pressed[i] = zero_like(load));
+  }
+  const auto work = [&](const Forces& forces) -> Eigen::Vector3d {
+    const auto terms = ordered_sum<3>(plate, plate.points(), [&](std::size_t k) -> std::array<double, 3> {
+      if (!plate.boundary().owns(k)) return {};
+      const auto at = [&](const State& body) { return body.col(Eigen::Index(k)).dot(forces.col(Eigen::Index(k))); };
+      return {at(bodies[0]), at(bodies[1]), at(bodies[2])};
+    });
+    return {terms[0], terms[1], terms[2]};
+  };
+  Eigen::Matrix3d stiffness;
+  for (Eigen::Index i = 0; i < 3; ++i) stiffness.col(i) = -work(pressed[std::size_t(i)]);
+  const Eigen::LDLT<Eigen::Matrix3d> inverse((stiffness + stiffness.transpose()) / 2);
+  if (inverse.info() != Eigen::Success || !(inverse.rcond() > rounding) || !inverse.isPositive()) return none;
+  LoadParts result{no_state(), load};
+  Eigen::Vector3d shares = Eigen::Vector3d::Zero();
+  for (int twice = 0; twice < 2; ++twice) {  // the second time takes out what rounding left
+    const Eigen::Vector3d more = inverse.solve(work(result.rest));
+    for (std::size_t i = 0; i < 3; ++i) result.rest += more[Eigen::Index(i)] * pressed[i];
+    shares += more;
+  }
+  const auto largest = [&](const Forces& forces) { return largest_of(plate, forces.cwiseAbs().maxCoeff()); };
+  if (largest(result.rest) <= rounding * largest(load)) result.rest.setZero();
   result.rigid = motions.sum(shares);
   return result;
 }

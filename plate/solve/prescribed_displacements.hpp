@@ -32,6 +32,15 @@ struct LiftParts {
 /// smaller motion. Nothing is taken out of plates on foundations and springs, which resist it. Collective.
 LiftParts split_lift(const Formulation& plate, const State& lift);
 
+/// Two parts of what a load does to a plate that nothing but foundations and springs holds.
+struct LoadParts {
+  State rigid;  // the plate as one rigid body in equilibrium; without columns where something holds it
+  Forces rest;  // the load and what foundations and springs press on that body: in equilibrium with each other, or zero
+};
+/// By these the deflections of a plate on soft springs, which are far larger than what strains it, have all digits.
+/// Collective.
+LoadParts split_load(const Formulation& plate, const Forces& load);
+
 /// A plate at rest whose supports have moved. What is held is put where it is, all that is free rests: that state pulls
 /// at the free points with far larger forces than those of the equilibrium, by which the residual is to be measured
 /// (theory.md, "Supports that move").

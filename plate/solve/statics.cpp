@@ -422,6 +422,14 @@ StaticResult StaticSolver::pushed(const Forces& load, const StaticOptions& optio
 StaticResult StaticSolver::operator()(const Forces& load, const StaticOptions& options, bool again, const State& lift) {
   if (plate_->boundary().elastic_supports.unilateral()) return in_contact(load, options, lift);
   if (pushing_) return pushed(load, options, lift);
+  if (lift.cols() == 0 && plate_->problem().elastically_supported()) {
+    const auto parts = split_load(*plate_, load);
+    auto result = solved(*plate_, parts.rest, options, again);
+    if (parts.rigid.cols() > 0) result.solution.state += parts.rigid;
+    if (parts.rigid.cols() > 0 && largest_of(*plate_, parts.rest.cwiseAbs().maxCoeff()) == 0)
+      result.solution.stop_reason = "the plate moves as one rigid body";
+    return result;
+  }
   const auto [rigid, rest] = split_lift(*plate_, lift);
   auto result = lifted(*plate_, load, options, again, rest);
   if (rigid.cols() > 0) result.strained = result.solution.state, result.solution.state += rigid;

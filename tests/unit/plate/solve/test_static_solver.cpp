@@ -3,6 +3,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/solve/prescribed_displacements.hpp"
 #include "tests/unit/cases/case_text.hpp"
 
 using namespace case_text;
@@ -51,6 +52,36 @@ TEST_CASE("static solver: conjugate gradients begin at what earlier solutions gi
   plate::StaticSolver fresh(*plate, plate::StaticMethod::cg, plate::Preconditioning::diagonal);
   const auto alone = fresh(second, options).solution;
   CHECK((b.solution.state - alone.state).norm() < 1e-8 * alone.state.norm());  // measured: 1e-10
+}
+
+TEST_CASE("static solver: a plate on soft soil or springs is in equilibrium to rounding") {
+  for (const char* formulation : {"galerkin", "ordinary"})
+    for (const std::string held :
+         {"foundation=[{modulus=1e-9}]", "spring=[{edges=[\"left\",\"top\"],deflection=1e-9}]"}) {
+      const auto plate = plate_of(
+          {"discretization.spacing=0.1", "-support", held, "discretization.formulation=" + std::string(formulation)});
+      const plate::Forces load = plate->total_load();
+      plate::StaticSolver solver(*plate, plate::StaticMethod::cg, plate::Preconditioning::automatic);
+      const auto solution = solver(load, {1e-8, 10000, {}}).solution;
+      REQUIRE(solution.converged);
+      plate::Forces pressed = plate::zero_like(load);
+      plate->boundary().elastic_supports.add_force(solution.state, pressed);
+      CAPTURE(formulation, held);
+      double force = 0, moment = 0;
+      for (Eigen::Index k = 0; k < load.cols(); ++k) {
+        const auto x = plate->cloud().positions[std::size_t(k)];
+        const auto sum = (load + pressed).col(k);
+        force += sum[0], moment += x.x() * sum[0] - sum[2];
+      }
+      const double size = load.row(0).sum();
+      CHECK(std::abs(force) < 1e-8 * size);
+      CHECK(std::abs(moment) < 1e-8 * size);
+      const auto [rigid, rest] = plate::split_load(*plate, load);
+      CHECK((solution.state - rigid).cwiseAbs().maxCoeff() < 1e-4 * rigid.cwiseAbs().maxCoeff());
+      CHECK(std::abs(rest.row(0).sum()) < 1e-9 * size);
+    }
+  const auto held = plate_of({"discretization.spacing=0.1", "foundation=[{modulus=1}]"});
+  CHECK(plate::split_load(*held, held->total_load()).rigid.cols() == 0);
 }
 
 TEST_CASE("static solver: the nearest sum of states leaves a residual that none of them feels") {
