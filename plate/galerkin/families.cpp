@@ -1,7 +1,9 @@
 #include "plate/galerkin/families.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/cells/cells_part.hpp"
 
@@ -207,10 +209,27 @@ double softness(const Eigen::Matrix3d& bending) {
 
 }  // namespace
 
+namespace {
+
+/// Square of the thickness that the shear scaling goes by: the plate's own, or, where shear is softer beside bending
+/// than in an isotropic plate with k_s = 5/6, that of an isotropic plate with this ratio (D_min / S_max = h^2 / 5).
+double square_of_thickness(const LocalSection& section) {
+  constexpr double ratio = 4.8;  // not quite 5: isotropic plates keep their own
+  const double own = section.thickness * section.thickness;
+  const double shear = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(section.shear).eigenvalues().maxCoeff();
+  if (!(shear > 0)) return own;
+  const Eigen::Vector3d kelvin(1, 1, std::numbers::sqrt2);
+  const Eigen::Matrix3d bending = kelvin.asDiagonal() * section.bending * kelvin.asDiagonal();
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(bending).eigenvalues().minCoeff();
+  return std::max(own, ratio * least / shear);
+}
+
+}  // namespace
+
 // t_b = 0.5, f = h^2 / (h^2 + 0.05 spacing^2), t_s = 1, e = h^2 / (h^2 + spacing^2)
 GalerkinStiffness::GalerkinStiffness(const LocalSection& section, double spacing_square)
     : bending(section.bending), bending_residual(softness(section.bending) * 0.5) {
-  const double square = section.thickness * section.thickness;
+  const double square = square_of_thickness(section);
   shear = square / (square + 0.05 * spacing_square) * section.shear;
   shear_residual = square / (square + spacing_square) * section.shear;
 }

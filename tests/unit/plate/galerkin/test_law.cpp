@@ -25,6 +25,25 @@ TEST_CASE("only rigid motions cost no energy, whatever the thickness and Poisson
       }
 }
 
+TEST_CASE("Galerkin law: shear is scaled by the thickness, or by the bending beside shear that is softer") {
+  constexpr double square = 0.09;  // of the spacing
+  const auto& s = gp::section;
+  LocalSection section(s);
+  const double own = s.thickness * s.thickness, scaled = own / (own + 0.05 * square);
+  CHECK(GalerkinStiffness(section, square).shear(0, 0) == scaled * section.shear(0, 0));
+  section.shear.setZero();  // as of a plate in its plane
+  CHECK(GalerkinStiffness(section, square).shear.isZero());
+  // D (1 - nu) is the least stiffness against bending
+  for (const double shear : {1e-3, 1e-6}) {
+    LocalSection soft(s);
+    soft.shear *= shear;
+    const double length = 4.8 * s.bending_stiffness() * (1 - s.poisson) / soft.shear(0, 0);
+    CHECK(GalerkinStiffness(soft, square).shear(1, 1) ==
+          Approx(length / (length + 0.05 * square) * soft.shear(1, 1)).epsilon(1e-12));
+    CHECK(GalerkinStiffness(soft, square).shear(1, 1) > 0.99 * soft.shear(1, 1));
+  }
+}
+
 TEST_CASE(
     "Galerkin law: constant curvature and constant shear have the plate's energy, the shear of thin plates less") {
   const auto& s = gp::section;
