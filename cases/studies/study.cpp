@@ -19,10 +19,12 @@ namespace {
 /// Reason why the run does not have a quantity of the whole plate; empty where it has.
 std::string lacking_whole(const Case& c, const std::string& name) {
   const bool modes = c.analysis.kind == plate::Analysis::Kind::frequencies;
+  const bool buckles = c.analysis.kind == plate::Analysis::Kind::buckling;
   if (name == "frequency") return modes ? "" : "the case has no frequencies";
+  if (name == "buckling_factor") return buckles ? "" : "the case has no buckling loads";
   if (!c.load_cases.empty()) return "the case has load cases: envelope.csv and srif.csv have their factors";
   if (modes) return "the case has frequencies only";
-  if (c.analysis.kind == plate::Analysis::Kind::buckling) return "the case has buckling loads: buckling.csv has them";
+  if (buckles) return "the case has buckling loads only";
   if (c.analysis.kind == plate::Analysis::Kind::harmonic)
     return "the case has a response over frequencies: response.csv has it";
   if (name.ends_with("_peak") && (!c.moves() || c.growth)) return "peaks in time are of dynamic cases without growth";

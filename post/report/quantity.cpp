@@ -91,6 +91,9 @@ std::optional<Summary> summary_of(const Json& json) {
         {one.at("quantity"), optional<std::size_t>(one, "tip"), one.at("value"), one.at("time"), {}, {}});
   for (const auto& one : json.value("frequencies", Json::array()))
     summary.frequencies.push_back({one.at("mode"), one.at("frequency"), one.at("omega"), one.at("residual")});
+  for (const auto& one : json.value("buckling", Json::array()))
+    summary.buckling.push_back(
+        {one.at("mode"), one.at("factor"), one.at("residual"), optional<double>(one, "estimated_error")});
   if (json.contains("growth")) summary.growth = growth_of(json.at("growth"));
   summary.warnings = json.at("warnings").get<std::vector<std::string>>();
   return summary;
@@ -129,6 +132,7 @@ const std::vector<Kind>& kinds() {
                                      {"K3_peak", "tip", nullptr, "peak of K3 in time", shear},
                                      {"w_peak", "", nullptr, "peak of w in time", "m"},
                                      {"frequency", "mode", nullptr, "frequency", "Hz"},
+                                     {"buckling_factor", "mode", nullptr, "buckling load factor", ""},
                                      {"largest_load_factor", "", nullptr, "largest load factor", ""},
                                      {"crack_length", "", nullptr, "length of all cracks", "m"}};
   return all;
@@ -194,6 +198,10 @@ std::optional<double> of_summary(const Quantity& quantity, const Summary& summar
   if (quantity.name == "frequency") {
     const auto found = std::ranges::find(summary.frequencies, quantity.mode.value_or(0), &Frequency::mode);
     return found == summary.frequencies.end() ? std::nullopt : std::optional(found->frequency);
+  }
+  if (quantity.name == "buckling_factor") {
+    const auto found = std::ranges::find(summary.buckling, quantity.mode.value_or(0), &BucklingFactor::mode);
+    return found == summary.buckling.end() ? std::nullopt : std::optional(found->factor);
   }
   const auto& growth = summary.growth;
   if (quantity.name == "largest_load_factor") return growth ? growth->largest_load_factor : std::nullopt;

@@ -11,13 +11,13 @@ struct Summary;
 struct Table;
 
 /// Reads from summary.json of a finished run: formulation, outcome, points, bonds, iterations, seconds, factors
-/// (without rings and fits), peaks, frequencies, growth, warnings, version and digest. Returns nothing where there is
-/// no such file, or it is incomplete.
+/// (without rings and fits), peaks, frequencies, buckling factors, growth, warnings, version and digest. Returns
+/// nothing where there is no such file, or it is incomplete.
 std::optional<Summary> read_summary(const std::filesystem::path& path);
 
 /// A number that runs are compared by: K1, K2, K3, F1, F2, F3, N1, N2 of a tip, K1_peak, K2_peak, K3_peak of a motion,
-/// w, theta_x, theta_y, u, v at a probe, the frequency of a mode, or of the whole plate. Has a tip, a probe, a mode or
-/// none, as its name asks for.
+/// w, theta_x, theta_y, u, v at a probe, the frequency or the buckling load factor of a mode, or of the whole plate.
+/// Has a tip, a probe, a mode or none, as its name asks for.
 struct Quantity {
   std::string name;
   std::optional<std::size_t> tip = std::nullopt;

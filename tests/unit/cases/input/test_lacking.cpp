@@ -40,6 +40,11 @@ TEST_CASE("lacking: frequencies, peaks and growth are of their analyses") {
   const std::vector<std::string> modes{"analysis={kind=\"frequencies\"}", "section.density=1", "-load"};
   CHECK(lack(plain, {"frequency"}, modes) == "");
   CHECK(lack(plain, {"frequency"}) == "the case has no frequencies");
+  const std::vector<std::string> buckling{"analysis={kind=\"buckling\"}", "-load",
+                                          "load=[{kind='edge_traction',edges=['right'],value=-1}]"};
+  CHECK(lack(plain, {"buckling_factor"}, buckling) == "");
+  CHECK(lack(plain, {"buckling_factor"}) == "the case has no buckling loads");
+  CHECK(lack(plain, {"crack_length"}, buckling) == "the case has buckling loads only");
   CHECK(lack(plain, {"crack_length"}, modes) == "the case has frequencies only");
   CHECK(lack(plain, {"K1_peak", 0}) == "peaks in time are of dynamic cases without growth");
   CHECK(lack(plain, {"crack_length"}) == "the case has no [growth]");

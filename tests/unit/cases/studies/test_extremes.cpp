@@ -23,8 +23,9 @@ TEST_CASE("all problems of a table are told together") {
   }
 }
 
-TEST_CASE("the table in the tree reads") {
-  const auto extremes =
-      cases::read_extremes(std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases" / "extreme" / "extremes.toml");
-  CHECK(extremes.rows.size() > 80);
+TEST_CASE("the tables in the tree read") {
+  for (const char* table : {"extremes.toml", "galerkin.toml"}) {
+    const auto extremes = cases::read_extremes(std::filesystem::path(PDPLATE_SOURCE_DIR) / "cases" / "extreme" / table);
+    CHECK(extremes.rows.size() > 80);
+  }
 }
