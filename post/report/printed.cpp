@@ -332,10 +332,8 @@ void largest_of_cases(Text out, const std::vector<EnvelopeEntry>& envelope, doub
   };
   std::size_t width = 3;
   for (const auto& one : envelope) width = std::max(width, one.quantity.size());
-  auto ordered = envelope;  // what governs first
-  std::ranges::stable_partition(ordered, [](const auto& one) { return one.quantity == "utilisation"; });
   fmt::format_to(out, "largest of all load cases and combinations:\n");
-  for (const auto& one : ordered) {
+  for (const auto& one : envelope) {
     const bool noise = std::ranges::any_of(
         envelope, [&](const EnvelopeEntry& other) { return alike(one, other) && size(one) < nothing * size(other); });
     const bool known = one.error.value_or(0) <= std::abs(one.value);
@@ -483,6 +481,8 @@ std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases, c
     if (const double more = lost[key] - std::abs(entry.value); more > entry.error.value_or(0)) entry.error = more;
     result.push_back(std::move(entry));
   }
+  const auto governs = [](const EnvelopeEntry& one) { return one.quantity == "utilisation" ? -one.value : INFINITY; };
+  std::ranges::stable_sort(result, {}, governs);
   return result;
 }
 

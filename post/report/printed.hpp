@@ -26,7 +26,7 @@ std::string results_in(const std::filesystem::path& folder);
 
 /// Largest |K1|, |K2|, |K3| and G of every tip, by recommended methods, of loads in the plane |N1| and |N2|, and with a
 /// toughness the utilisation; and the load case or combination that gives each. Where one has a factor that is not
-/// resolved, the error is at least the amount by which that factor may be larger.
+/// resolved, the error is at least the amount by which that factor may be larger. The largest utilisation comes first.
 std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases, const plate::Section& section,
                                     std::optional<double> toughness);
 /// tip, x, y, quantity, value, estimated_error, case.

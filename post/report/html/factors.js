@@ -204,9 +204,8 @@ function contact_of_cases(all) {
 function envelope_table() {
   const { envelope = [], load_cases } = data.summary;
   if (!Array.isArray(load_cases) || load_cases.length === 0) return null;
-  const order = envelope.map((_, i) => i).sort((a, b) => (envelope[b].quantity === "utilisation") - (envelope[a].quantity === "utilisation"));
-  const rows = order.map(i => {
-    const one = envelope[i], lost = one.estimated_error > Math.abs(one.value), beyond = one.quantity === "utilisation" && one.value >= 1;
+  const rows = envelope.map((one, i) => {
+    const lost = one.estimated_error > Math.abs(one.value), beyond = one.quantity === "utilisation" && one.value >= 1;
     const { factor, name } = prefixed(one.quantity, [one.value]);
     const what = one.quantity === "utilisation" ? "of the toughness" : [one.quantity, name && !lost ? element("span", { class: "unit" }, ` ${name}`) : null];
     return [what, ["tip ", value(`envelope[${i}].tip`)],
