@@ -171,10 +171,7 @@ public:
   }
 
   double at(const Point& x) const { return (inverse_ * (x - middle_)).prod(); }
-  /// Share of the corner with this number in the function.
-  static double share(std::size_t corner) { return corner % 2 == 0 ? 0.25 : -0.25; }
-  /// Means over a whole cell of its square, and of that of its slope.
-  static constexpr double square = 1.0 / 9;
+  /// Mean over a whole cell of the square of its slope.
   double square_of_slope() const { return slopes_; }
 
 private:
@@ -200,16 +197,21 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
     linear.row(Eigen::Index(i)) << 1 / double(N), (inverse * (ring[i] - middle)).transpose();
     dofs.push_back(dof(cell[i], 0));
   }
+  using Values = Eigen::Matrix<double, N, 1>;
+  const auto linear_at = [&](const Point& x) -> Values {
+    return linear.col(0) + linear.template rightCols<2>() * (x - middle);
+  };
   std::optional<Hourglass> hourglass;
-  if constexpr (N == 4) hourglass.emplace(ring);
+  Values beside = Values::Zero();
+  if constexpr (N == 4)  // of whole cells: in a part it is not orthogonal to the linear function
+    if (moments.area > (1 - 1e-9) * geometry::moments(ring, middle).area)
+      hourglass.emplace(ring), beside << 0.25, -0.25, 0.25, -0.25;
+  const auto hourglass_at = [&](const Point& x) -> Values { return (hourglass ? hourglass->at(x) : 0) * beside; };
   if (foundation.unilateral) {
     for_each_place(patch, ring, [&](const Point& x, double area) {
+      const Values values = linear_at(x) + hourglass_at(x);
       std::vector<FormTerm> form;
-      const double beside = hourglass ? hourglass->at(x) : 0;
-      for (std::size_t i = 0; i < N; ++i)
-        form.push_back({dofs[i], linear(Eigen::Index(i), 0) +
-                                     linear.row(Eigen::Index(i)).template tail<2>().dot((x - middle).transpose()) +
-                                     Hourglass::share(i) * beside});
+      for (std::size_t i = 0; i < N; ++i) form.push_back({dofs[i], values[Eigen::Index(i)]});
       sum.add_unilateral(foundation.modulus * area, form);
     });
     return;
@@ -217,11 +219,12 @@ void add_cell(const Foundation& foundation, const Shape& patch, const std::array
   const auto slopes = linear.template rightCols<2>();
   Eigen::MatrixXd K = foundation.modulus * linear * gram(moments) * linear.transpose() +
                       foundation.shear * moments.area * slopes * slopes.transpose();
-  if (hourglass) {
-    Eigen::Matrix<double, N, 1> shares;
-    for (std::size_t i = 0; i < N; ++i) shares[Eigen::Index(i)] = Hourglass::share(i);
-    K += (foundation.modulus * Hourglass::square + foundation.shear * hourglass->square_of_slope()) * moments.area *
-         shares * shares.transpose();
+  if (hourglass) {  // by the places of a unilateral foundation: pressed everywhere it is this one
+    for_each_place(patch, ring, [&](const Point& x, double area) {
+      const Values line = linear_at(x), more = hourglass_at(x);
+      K += foundation.modulus * area * ((line + more) * (line + more).transpose() - line * line.transpose());
+    });
+    K += foundation.shear * hourglass->square_of_slope() * moments.area * beside * beside.transpose();
   }
   sum.add(dofs, (K + K.transpose()) / 2);
 }

