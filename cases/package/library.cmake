@@ -20,7 +20,7 @@ target_compile_definitions(pdplate_door PRIVATE PDPLATE_VERSION="${PROJECT_VERSI
 add_library(pdplate_library SHARED plate/solve/matrices/standard_streams.cpp)
 set(parts geometry plate post fracture runs cases pdplate_door)
 if(PDPLATE_PACKAGE)
-  list(APPEND parts command_line)
+  list(APPEND parts papers command_line)
   target_sources(command_line PRIVATE cases/package/library_main.cpp)
 endif()
 foreach(part ${parts})

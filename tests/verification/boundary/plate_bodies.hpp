@@ -1,6 +1,6 @@
 #pragma once
+#include "cases/papers/bodies/fractions.hpp"
 #include "plate/edges/surface_plate.hpp"
-#include "tests/verification/boundary/fractions.hpp"
 
 /// Plates with surface nodes on their edges.
 namespace boundary_bodies {

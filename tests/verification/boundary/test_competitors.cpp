@@ -1,8 +1,8 @@
 // Surface nodes beside other corrections at boundaries (Sca23 5).
 
+#include "cases/papers/bodies/competitors.hpp"
+#include "cases/papers/bodies/plane.hpp"
 #include "tests/catch.hpp"
-#include "tests/verification/boundary/competitors.hpp"
-#include "tests/verification/boundary/plane.hpp"
 
 namespace bb = boundary_bodies;
 using bb::Solid;

@@ -1,9 +1,9 @@
 // Plane strain with surface nodes (Sca23 5 and, in two dimensions, 4.2).
 
 #include <Eigen/Eigenvalues>
+#include "cases/papers/bodies/equilibrium.hpp"
+#include "cases/papers/bodies/plane.hpp"
 #include "tests/catch.hpp"
-#include "tests/unit/plate/edges/edge_bodies.hpp"
-#include "tests/verification/boundary/plane.hpp"
 
 namespace bb = boundary_bodies;
 using bb::Solid;
@@ -35,7 +35,7 @@ TEST_CASE("plane strain, pulled: edges anywhere between two rows of nodes") {
   for (const auto rule : {FluxRule::crossing_point, FluxRule::lever})
     for (const int order : {1, 2}) {
       Solid s = bb::plane_square(0.3, 10);
-      s.body = plate::lattice_body(2, edge_bodies::box_body({10, 8}, 0).nodes, 3,
+      s.body = plate::lattice_body(2, bb::box_body({10, 8}, 0).nodes, 3,
                                    [](const plate::LatticeBody::Index&, int axis, int side) {
                                      return axis == 0 ? (side < 0 ? 0.3 : 0.9) : (side < 0 ? 0.75 : 0.4);
                                    });
@@ -60,7 +60,7 @@ TEST_CASE(
           left.push_back({unknown, exact[unknown]});
     for (const int order : {1, 2, 3}) {
       const auto K = bb::stiffness(s, plate::Centre::surface_node, order, rule);
-      const Eigen::VectorXd u = edge_bodies::constrained_solution(K, f, left).values;
+      const Eigen::VectorXd u = bb::constrained_solution(K, f, left).values;
       const double error = (u - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
       if (order == 3)
         CHECK(error < 1e-11);  // measured: 7e-14
@@ -93,7 +93,7 @@ TEST_CASE("plane strain: unstable motions of a free body with shares by crossing
   // real part over the largest value
   const auto lowest = [](int order, FluxRule rule, const bb::Influence& influence, const std::vector<int>& counts) {
     Solid s = bb::plane_square(0.3);
-    s.body = edge_bodies::box_body(counts, 3);
+    s.body = bb::box_body(counts, 3);
     s.influence = influence;
     const Eigen::MatrixXd K = bb::stiffness(s, plate::Centre::surface_node, order, rule);
     const Eigen::Index n = 2 * s.body.real, m = K.rows() - n;

@@ -12,13 +12,6 @@ namespace {
 using geometry::Point;
 constexpr double same = 1e-9;  // spacings
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
-void add(const SparseStiffness& block, Eigen::Index row, Eigen::Index column, bool transposed, Triplets& to) {
-  for (Eigen::Index j = 0; j < block.outerSize(); ++j)
-    for (SparseStiffness::InnerIterator e(block, j); e; ++e)
-      to.emplace_back(row + (transposed ? e.col() : e.row()), column + (transposed ? e.row() : e.col()), e.value());
-}
-
 /// Number of the three rigid motions that leave all that is held at rest.
 int rigid_motions(const SurfacePlate& p, const std::vector<PrescribedUnknown>& held) {
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(3, Eigen::Index(held.size())), 3);
@@ -35,17 +28,6 @@ int rigid_motions(const SurfacePlate& p, const std::vector<PrescribedUnknown>& h
 }
 
 }  // namespace
-
-LatticeBody box_body(const std::vector<int>& counts, int reach) {
-  LatticeBody::Index last(0, 0, 0);
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, counts.size()); ++i) last[Eigen::Index(i)] = counts[i] - 1;
-  std::vector<LatticeBody::Index> places;
-  for (int z = 0; z <= last[2]; ++z)
-    for (int y = 0; y <= last[1]; ++y)
-      for (int x = 0; x <= last[0]; ++x) places.push_back({x, y, z});
-  return lattice_body(int(counts.size()), std::move(places), reach,
-                      [](const LatticeBody::Index&, int, int) { return 0.5; });
-}
 
 LatticeBody rectangle_body(const Point& low, const Point& high, const Point& corner, double spacing, int reach) {
   const Eigen::Array2d from = (low - corner).array() / spacing - 0.5, to = (high - corner).array() / spacing - 0.5;
@@ -65,46 +47,6 @@ SurfacePlate surface_plate(const Section& section, const Discretization& d, cons
   LatticeBonds bonds = lattice_bonds(section, d);
   LatticeBody body = rectangle_body(low, high, low, d.spacing, bonds.reach);
   return {std::move(body), std::move(bonds), low + Point::Constant(d.spacing / 2)};
-}
-
-SparseStiffness with_multipliers(const SparseStiffness& K, const SparseStiffness& B) {
-  Triplets entries;
-  add(K, 0, 0, false, entries);
-  add(B, K.rows(), 0, false, entries);
-  add(B, 0, K.cols(), true, entries);
-  SparseStiffness result(K.rows() + B.rows(), K.cols() + B.rows());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
-
-MultipliedSolution solution_with_multipliers(const SparseStiffness& K, const SparseStiffness& B,
-                                             const Eigen::VectorXd& f, const Eigen::VectorXd& c) {
-  Eigen::VectorXd right(f.size() + c.size());
-  right << f, c;
-  const Eigen::VectorXd both = ScaledFactor(with_multipliers(K, B)).solve(right);
-  return {both.head(f.size()), both.tail(c.size()), B.transpose() * both.tail(c.size())};
-}
-
-ConstrainedSolution constrained_solution(const SparseStiffness& K, const Eigen::VectorXd& f,
-                                         const std::vector<PrescribedUnknown>& held) {
-  ConstrainedSolution result{Eigen::VectorXd::Zero(K.cols()), Eigen::VectorXd(Eigen::Index(held.size()))};
-  std::vector<char> is_held(std::size_t(K.cols()), false);
-  for (const auto& [unknown, value] : held) result.values[unknown] = value, is_held[std::size_t(unknown)] = true;
-  std::vector<Eigen::Index> place(std::size_t(K.cols())), free;
-  for (Eigen::Index i = 0; i < K.cols(); ++i)
-    if (!is_held[std::size_t(i)]) place[std::size_t(i)] = Eigen::Index(free.size()), free.push_back(i);
-  Triplets entries;
-  for (const Eigen::Index j : free)
-    for (SparseStiffness::InnerIterator e(K, j); e; ++e)
-      if (!is_held[std::size_t(e.row())])
-        entries.emplace_back(place[std::size_t(e.row())], place[std::size_t(j)], e.value());
-  SparseStiffness inside(Eigen::Index(free.size()), Eigen::Index(free.size()));
-  inside.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::VectorXd right = f - K * result.values;
-  result.values(free) = ScaledFactor(inside).solve(right(free));
-  const Eigen::VectorXd forces = K * result.values - f;
-  for (std::size_t i = 0; i < held.size(); ++i) result.reactions[Eigen::Index(i)] = forces[held[i].unknown];
-  return result;
 }
 
 ConstrainedSolution solution(const SurfacePlate& p, const EdgeConditions& edges, const AreaLoad& load) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "cases/papers/bodies/equilibrium.hpp"
 #include "plate/edges/multiplied_plate.hpp"
 #include "plate/edges/surface_plate.hpp"
 
@@ -8,9 +9,12 @@
 namespace edge_bodies {
 
 using namespace plate;
-
-/// A bar, a rectangle or a box of `counts` nodes, faces half a spacing beyond its nodes.
-LatticeBody box_body(const std::vector<int>& counts, int reach);
+using boundary_bodies::box_body;
+using boundary_bodies::constrained_solution;
+using boundary_bodies::ConstrainedSolution;
+using boundary_bodies::MultipliedSolution;
+using boundary_bodies::solution_with_multipliers;
+using boundary_bodies::with_multipliers;
 
 /// The points of a lattice, of which `corner` is the corner of a cell, inside the rectangle from `low` to `high`.
 /// @throws Refused  a rectangle without points
@@ -20,33 +24,6 @@ LatticeBody rectangle_body(const geometry::Point& low, const geometry::Point& hi
 /// A plate on the lattice whose cells begin in its lower left corner.
 SurfacePlate surface_plate(const Section& section, const Discretization& discretization, const geometry::Point& low,
                            const geometry::Point& high);
-
-/// u and multipliers of K u + B^T multipliers = f, B u = c (Sca21 61-63). Where the extrapolation carries the solution
-/// exactly, equilibrium needs no multipliers and they are rounding; else they say how far conditions and equilibrium
-/// are apart: those of values in forces, those of fluxes in displacements, together as the forces that they add.
-struct MultipliedSolution {
-  Eigen::VectorXd values, multipliers, added_forces;  // B^T multipliers
-};
-
-/// [K B^T; B 0] (Sca21 63).
-SparseStiffness with_multipliers(const SparseStiffness& K, const SparseStiffness& B);
-
-/// Boundary conditions by Lagrange multipliers: values and fluxes are rows of B. What holds the body is the flux
-/// through its faces (Sca21, remark 3), not the multipliers.
-/// @throws NumericalError  where conditions contradict each other or leave the body loose
-MultipliedSolution solution_with_multipliers(const SparseStiffness& K, const SparseStiffness& B,
-                                             const Eigen::VectorXd& f, const Eigen::VectorXd& c);
-
-/// u of K u = f without the rows of held unknowns, and what holds these: their rows of K u - f (Sca23 3.5).
-struct ConstrainedSolution {
-  Eigen::VectorXd values;
-  Eigen::VectorXd reactions;  // in the order of the held unknowns
-};
-
-/// Boundary conditions on unknowns of surface nodes: values are held, fluxes are in f.
-/// @throws NumericalError  where the body is loose
-ConstrainedSolution constrained_solution(const SparseStiffness& K, const Eigen::VectorXd& f,
-                                         const std::vector<PrescribedUnknown>& held);
 
 /// Values of real and surface nodes, and what holds the held unknowns, in their order.
 /// @throws Refused  where the plate can move, and as stiffness() does

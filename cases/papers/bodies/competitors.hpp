@@ -1,5 +1,5 @@
 #pragma once
-#include "tests/verification/boundary/loaded.hpp"
+#include "cases/papers/bodies/loaded.hpp"
 
 /// Other corrections at boundaries, as small as they can be, in the plane: what surface nodes are compared with (Sca23
 /// 5). Conditions act at nodes next to faces (`on_nodes`) but for mirror nodes.

@@ -1,8 +1,8 @@
-#include "tests/verification/boundary/competitors.hpp"
+#include "cases/papers/bodies/competitors.hpp"
 
 #include <Eigen/Dense>
 
-#include "tests/unit/plate/edges/edge_bodies.hpp"
+#include "cases/papers/bodies/equilibrium.hpp"
 
 namespace boundary_bodies {
 
@@ -37,7 +37,7 @@ std::vector<PlaneBond> bonds_of(const Solid& s, int i) {
   return result;
 }
 
-/// Of a family inside.
+/// Weighted volume of a family inside.
 double weighted_volume(const Solid& s) {
   double m = 0;
   for (const auto& [away, fraction] : s.family) {
@@ -60,7 +60,7 @@ Eigen::VectorXd matched(const Eigen::VectorXd& given, const Eigen::MatrixXd& par
   return given + parts * multipliers;
 }
 
-/// Of a node: influences of its bonds for the dilatation and the deviator, times the volumes.
+/// Influences of the bonds of a node for the dilatation and the deviator, times the volumes.
 std::pair<Eigen::VectorXd, Eigen::VectorXd> position_aware_influences(const std::vector<PlaneBond>& bonds, double m) {
   const Eigen::Index n = count(bonds);
   Eigen::VectorXd dilatation(n), deviator(n), volumes(n);
@@ -117,7 +117,7 @@ public:
   Mirrors(const Solid& s, const Conditions& c, bool tangential, int last)
       : s_(s), c_(c), tangential_(tangential), last_(last), moduli_(moduli(s.material)) {}
 
-  /// Of a component at a place: row over the unknowns of real nodes, last entry: what is added.
+  /// Displacement component of a place: row over the unknowns of real nodes, last entry: what is added.
   Eigen::VectorXd operator()(const std::array<int, 2>& place, int component) const {
     for (int axis = 0; axis < 2; ++axis) {
       const int at = place[std::size_t(axis)];
@@ -182,7 +182,7 @@ private:
 Eigen::VectorXd with_mirror_nodes(const Solid& s, const Conditions& c, bool tangential) {
   const int counts = int(std::lround(std::sqrt(s.body.real))), reach = int(s.horizon);
   Solid larger = s;  // its real nodes have all their families: the body and one horizon about it
-  larger.body = edge_bodies::box_body({counts + 2 * reach, counts + 2 * reach}, reach);
+  larger.body = box_body({counts + 2 * reach, counts + 2 * reach}, reach);
   const Mirrors mirrors(s, c, tangential, counts - 1);
   Eigen::MatrixXd U(2 * larger.body.count(), 2 * s.body.real + 1);
   for (int k = 0; k < larger.body.count(); ++k)

@@ -1,6 +1,6 @@
-#include "tests/verification/boundary/plane.hpp"
+#include "cases/papers/bodies/plane.hpp"
 
-#include "tests/unit/plate/edges/edge_bodies.hpp"
+#include "cases/papers/bodies/equilibrium.hpp"
 
 namespace boundary_bodies {
 
@@ -17,13 +17,8 @@ Field pulled_field(double C11, double C12) {
 }  // namespace
 
 Solid plane_square(double poisson, int count) {
-  return {edge_bodies::box_body({count, count}, 3),
-          plane_strain_material(young, poisson),
-          family_of(2, 3),
-          1.0 / count,
-          3,
-          1,
-          gauss};
+  return {
+      box_body({count, count}, 3), plane_strain_material(young, poisson), family_of(2, 3), 1.0 / count, 3, 1, gauss};
 }
 
 Field pulled_square(double poisson) {

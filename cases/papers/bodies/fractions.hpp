@@ -1,5 +1,5 @@
 #pragma once
-#include "tests/verification/boundary/solid.hpp"
+#include "cases/papers/bodies/solid.hpp"
 
 /// Families on lattices with exact shares of cells: of intervals, squares within a circle, cubes within a sphere.
 namespace boundary_bodies {

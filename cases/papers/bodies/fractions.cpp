@@ -1,4 +1,4 @@
-#include "tests/verification/boundary/fractions.hpp"
+#include "cases/papers/bodies/fractions.hpp"
 
 #include <set>
 
@@ -6,7 +6,7 @@ namespace boundary_bodies {
 
 namespace {
 
-/// Of the disc inside [0, x] x [0, y], x and y positive.
+/// Area of the disc inside [0, x] x [0, y], x and y positive.
 double quadrant(double r, double x, double y) {
   if (x * x + y * y <= r * r) return x * y;
   x = std::min(x, r), y = std::min(y, r);

@@ -1,4 +1,4 @@
-#include "tests/verification/boundary/solid.hpp"
+#include "cases/papers/bodies/solid.hpp"
 
 namespace boundary_bodies {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "tests/verification/boundary/solid.hpp"
+#include "cases/papers/bodies/solid.hpp"
 
 /// Bodies with displacements and tractions on their faces, and loads inside.
 namespace boundary_bodies {
@@ -11,7 +11,7 @@ struct Conditions {
   Field load;  // [force / volume]
 };
 
-/// Of the unknowns of real nodes and, behind them, surface nodes.
+/// Unknowns of real nodes and, behind them, surface nodes, of a body under these conditions (Sca23 3).
 Eigen::VectorXd with_surface_nodes(const Solid& solid, int order, plate::FluxRule rule, const Conditions& conditions);
 
 /// Solves for half the unknowns where body, loads and supports are symmetric about the middle of an axis with an even
@@ -30,7 +30,7 @@ Eigen::VectorXd uncorrected(const Solid& solid, const Conditions& conditions, co
 /// Loads inside, over real nodes.
 Eigen::VectorXd loads(const Solid& solid, const Conditions& conditions);
 
-/// Of real nodes: all components over the largest of each (Sca23 38).
+/// Errors of real nodes: all components over the largest of each (Sca23 38).
 struct Errors {
   double largest, mean;
 };

@@ -47,7 +47,7 @@ struct Solid {
   Eigen::Vector3d place(const Eigen::Vector3d& position) const;
 };
 
-/// What is linear in the displacements of all nodes U, fictitious ones among them, and in their dilatations.
+/// Rows that are linear in the displacements of all nodes U, fictitious ones among them, and in their dilatations.
 struct Actions {
   plate::WeightRows dilatation;                     // real nodes x unknowns of U
   plate::SparseStiffness of_values, of_dilatation;  // (real nodes, then surface nodes) x dimension: minus the force on

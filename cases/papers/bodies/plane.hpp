@@ -1,6 +1,6 @@
 #pragma once
-#include "tests/verification/boundary/fractions.hpp"
-#include "tests/verification/boundary/loaded.hpp"
+#include "cases/papers/bodies/fractions.hpp"
+#include "cases/papers/bodies/loaded.hpp"
 
 /// A square in plane strain, and what it is loaded with (Sca23 5 and, in two dimensions, 4.2).
 namespace boundary_bodies {
@@ -8,7 +8,7 @@ namespace boundary_bodies {
 /// 1 x 1, E = 1, influence of Gauss, horizon of three spacings, exact shares of cells.
 Solid plane_square(double poisson, int count = 20);
 
-/// Of `pulled(1, 1)`: Sca23 43; with the moduli that the sums over the lattice have.
+/// Solutions of `pulled(1, 1)`: Sca23 43; with the moduli that the sums over the lattice have.
 Field pulled_square(double poisson);
 Field pulled_square_of_lattice(const Solid& square);
 

@@ -1,6 +1,6 @@
-#include "tests/verification/boundary/loaded.hpp"
+#include "cases/papers/bodies/loaded.hpp"
 
-#include "tests/unit/plate/edges/edge_bodies.hpp"
+#include "cases/papers/bodies/equilibrium.hpp"
 
 namespace boundary_bodies {
 
@@ -10,7 +10,7 @@ Eigen::Vector3d normal(const plate::SurfaceNode& face) {
   return face.side * Eigen::Vector3d::Unit(face.axis);
 }
 
-/// Of each component over the nodes: differences, and the largest expected.
+/// Differences of each component at the nodes, and the largest expected value of each.
 std::pair<Eigen::ArrayXXd, Eigen::ArrayXd> differences(const Solid& s, const Eigen::VectorXd& u,
                                                        const Field& solution) {
   const int D = s.dimension();
@@ -95,7 +95,7 @@ Eigen::VectorXd loads(const Solid& s, const Conditions& c) {
 
 Eigen::VectorXd with_surface_nodes(const Solid& s, int order, plate::FluxRule rule, const Conditions& c) {
   const auto [K, f, held] = equations(s, order, rule, c);
-  return edge_bodies::constrained_solution(K, f, held).values;
+  return constrained_solution(K, f, held).values;
 }
 
 Eigen::VectorXd with_surface_nodes_mirrored(const Solid& s, int order, plate::FluxRule rule, const Conditions& c,
@@ -107,7 +107,7 @@ Eigen::VectorXd with_surface_nodes_mirrored(const Solid& s, int order, plate::Fl
     if (const auto found = std::ranges::find(lower, one.unknown); found != lower.end())
       lower_held.push_back({found - lower.begin(), one.value});
   const plate::SparseStiffness folded = plate::SparseStiffness(all.transpose()) * K * all;
-  return all * edge_bodies::constrained_solution(folded, all.transpose() * f, lower_held).values;
+  return all * constrained_solution(folded, all.transpose() * f, lower_held).values;
 }
 
 Eigen::VectorXd on_nodes(const Solid& s, const plate::SparseStiffness& K, const Conditions& c, const Field& solution) {
@@ -125,7 +125,7 @@ Eigen::VectorXd on_nodes(const Solid& s, const plate::SparseStiffness& K, const 
         f[unknown] += s.area() * p[a];
     }
   }
-  return edge_bodies::constrained_solution(K, f, held).values;
+  return constrained_solution(K, f, held).values;
 }
 
 Eigen::VectorXd uncorrected(const Solid& s, const Conditions& c, const Field& solution) {
