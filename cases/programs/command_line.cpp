@@ -11,6 +11,7 @@
 #include "cases/input/compatibility.hpp"
 #include "cases/input/keys.hpp"
 #include "cases/input/manual.hpp"
+#include "cases/papers/papers.hpp"
 #include "cases/studies/comparison.hpp"
 #include "cases/studies/extremes.hpp"
 #include "cases/studies/study.hpp"
@@ -95,6 +96,13 @@ int run_extremes(const Arguments& a) {
   return missed > 0 ? failed_numbers : done;
 }
 
+int run_papers(const Arguments& a) {
+  const std::filesystem::path folder = a.folder.empty() ? "results/papers" : a.folder;
+  const auto runs = cases::run_papers({.name = a.key, .folder = folder, .quiet = a.quiet});
+  if (!a.quiet) fmt::print("{}{}", to_text(runs), post::results_in(folder));
+  return done;
+}
+
 int compare(const Arguments& a) {
   ComparedRun compared;
   try {
@@ -174,6 +182,8 @@ int execute(const CLI::App& app, Arguments& a) {
     return run_study(a);
   } else if (app.got_subcommand("extremes")) {
     return run_extremes(a);
+  } else if (app.got_subcommand("papers")) {
+    return run_papers(a);
   }
   return done;
 }
@@ -240,6 +250,11 @@ void add_many(CLI::App& app, Arguments& a) {
   extremes->add_option("--only", a.only, "only rows whose group or title contains this");
   add_threads(*extremes, a);
   extremes->add_flag("--quiet", a.quiet, "no lines, and a table only where an oracle is missed");
+  auto* papers = app.add_subcommand("papers", "examples of the papers: published, computed and reference values");
+  papers->add_option("name", a.key, "of one paper, such as scabbia2021 (default: all)");
+  papers->add_option("--out", a.folder, "folder of the results (default: results/papers)");
+  add_threads(*papers, a);
+  papers->add_flag("--quiet", a.quiet, "no lines and no table");
 }
 
 int said(const std::string& what, ExitCode code) {

@@ -106,18 +106,26 @@ std::string text_of(const Series& series) {
 
 }  // namespace
 
-std::string comparison_page(const CurvePlot& plot, const std::string& table) {
+std::string panels_json(const CurvePlot& plot) {
+  const auto is_log = [](Scale scale) { return scale == Scale::logarithmic ? "true" : "false"; };
   std::vector<std::string> panels;
   for (const auto& panel : plot.panels) {
     std::vector<std::string> series;
     for (const auto& one : panel.series) series.push_back(text_of(one));
-    panels.push_back(
-        json_object({{"x", json_text(panel.t_title)}, {"y", json_text(panel.y_title)}, {"series", json_list(series)}}));
+    panels.push_back(json_object({{"x", json_text(panel.t_title)},
+                                  {"y", json_text(panel.y_title)},
+                                  {"log_x", is_log(panel.t_scale)},
+                                  {"log_y", is_log(panel.y_scale)},
+                                  {"series", json_list(series)}}));
   }
+  return json_list(panels);
+}
+
+std::string comparison_page(const CurvePlot& plot, const std::string& table) {
   return page(plot.title, json_object({{"kind", json_text("comparison")},
                                        {"title", json_text(plot.title)},
                                        {"table", json_text(table)},
-                                       {"panels", json_list(panels)}}));
+                                       {"panels", panels_json(plot)}}));
 }
 
 }  // namespace post

@@ -27,6 +27,9 @@ std::string json_number(double value, int digits = 17);
 /// drawings and plots.
 std::string page(const std::string& title, const std::string& data);
 
+/// The panels of a plot as a JSON list, for the scripts of a page; `log_x` and `log_y` where a scale is logarithmic.
+std::string panels_json(const CurvePlot& plot);
+
 /// The page of a comparison with reference curves: `table`, the error norms as they are printed, and the curves over
 /// each other.
 std::string comparison_page(const CurvePlot& plot, const std::string& table);

@@ -8,6 +8,7 @@
 #include "post/files/atomic_file.hpp"
 #include "post/files/table.hpp"
 #include "post/files/vtk_series.hpp"
+#include "post/report/curve_plot.hpp"
 #include "post/report/html_data.hpp"
 #include "post/report/html_page.hpp"
 #include "post/report/pictures.hpp"
@@ -141,6 +142,18 @@ void write_extremes_report(const fs::path& folder, const std::string& title) {
                                  {"extremes", table_in(folder / "extremes.csv")},
                                  {"runs", reports_in(folder)}});
   write_atomically(folder / "report.html", page(title, data));
+}
+
+void write_papers_report(const fs::path& folder, const CurvePlot& plot, const Table& table,
+                         const std::vector<std::string>& links) {
+  std::vector<std::string> names;
+  for (const auto& name : links) names.push_back(json_text(name));
+  const auto data = json_object({{"kind", json_text("papers")},
+                                 {"title", json_text(plot.title)},
+                                 {"papers", table_json(table, most)},
+                                 {"panels", panels_json(plot)},
+                                 {"runs", json_list(names)}});
+  write_atomically(folder / "report.html", page(plot.title, data));
 }
 
 bool write_report_of_many(const fs::path& folder) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "geometry/shape/outline.hpp"
 
@@ -12,6 +13,8 @@ struct Problem;
 namespace post {
 
 class Pictures;
+struct CurvePlot;
+struct Table;
 
 /// Data of a case that a report shows beside its results.
 struct ReportedCase {
@@ -33,6 +36,11 @@ void write_study_report(const std::filesystem::path& folder, const std::string& 
 
 /// Writes report.html of a table of extremes, from extremes.csv.
 void write_extremes_report(const std::filesystem::path& folder, const std::string& title);
+
+/// Writes report.html of examples of papers: a table of their numbers (cases/papers), and curves under the title of the
+/// plot. `links`: folders below this one that have reports of their own.
+void write_papers_report(const std::filesystem::path& folder, const CurvePlot& plot, const Table& table,
+                         const std::vector<std::string>& links);
 
 /// The reports again of a study or a table of extremes that has ended, under the title that they had; false where the
 /// folder is of neither.

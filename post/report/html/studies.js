@@ -1,7 +1,7 @@
 "use strict";
 // Studies: errors against run time and points, values along the axes, orders; tables of extremes with their verdicts.
 
-const csv = data.study ?? data.extremes ?? {};
+const csv = data.study ?? data.extremes ?? data.papers ?? {};
 const length_of = columns => Math.max(0, ...Object.values(columns ?? {}).map(column => column.length));
 const cell_of = (name, i) => csv[name]?.[i] ?? null;
 
@@ -139,16 +139,35 @@ function extremes_sections() {
   ...[...grouped(rows, i => cell_of("group", i))].map(([group, indices]) => section(capital(String(group)), csv_table(columns, indices.map(k => rows[k]), kind))), links(data.runs ?? [])];
 }
 
-/** A run against reference curves, which are dashed. */
+/** Plots of panels of curves; references are dashed. On a logarithmic axis what is not positive is left out. */
+function panel_plots() {
+  const drawn = (panel, one) => one.x.map((_, i) => i).filter(i => (!panel.log_x || one.x[i] > 0) && (!panel.log_y || one.y[i] > 0));
+  return data.panels.map(panel => plot({ title: capital(panel.y.replace(/ \[.*\]$/, "")), x: { label: panel.x, log: panel.log_x }, y: { label: panel.y, log: panel.log_y },
+    lines: panel.series.map((one, i) => ({ ...one, x: drawn(panel, one).map(k => one.x[k]), y: drawn(panel, one).map(k => one.y[k]), label: one.label || "computed", dash: one.reference ? [7, 5] : [], number: one.reference ? [6, 7, 4][i % 3] : i })).filter(line => line.x.length > 0) }));
+}
+
+/** Numbers of papers beside ours and those of other means. */
+function papers_sections() {
+  const rows = [...Array(length_of(csv)).keys()], columns = ["item", "quantity", "published", "ours", "reference", "difference", "reference_is", "claim", "claim_holds", "processor_seconds"].filter(name => csv[name]);
+  const kind = i => (cell_of("claim_holds", i) === "no" ? "missed" : null), claims = rows.filter(i => cell_of("claim_holds", i) !== null);
+  return [element("header", {}, element("h1", {}, data.title), facts([
+    ["Numbers", `${rows.length}`],
+    ["Claims of the papers", claims.length ? `${claims.filter(i => cell_of("claim_holds", i) === "yes").length} of ${claims.length} hold` : null],
+  ])), ...[...grouped(rows, i => cell_of("paper", i))].map(([paper, indices]) => section(paper, csv_table(columns, indices.map(k => rows[k]), kind))),
+  note("Difference: ours less the reference over the reference, or ours where that is 0. Processor seconds are those of the example."),
+  data.panels.length ? section("Curves", plots(panel_plots()), screen_note("Drag over a plot to zoom, double click to go back.")) : null, links(data.runs ?? [])];
+}
+
+/** A run against reference curves. */
 function comparison_sections() {
-  const panels = data.panels.map(panel => plot({ title: capital(panel.y.replace(/ \[.*\]$/, "")), x: { label: panel.x }, y: { label: panel.y },
-    lines: panel.series.map((one, i) => ({ ...one, label: one.label || "computed", dash: one.reference ? [7, 5] : [], number: one.reference ? [6, 7, 4][i % 3] : i })) }));
+  const panels = panel_plots();
   return [element("header", {}, element("h1", {}, data.title)), section("Against reference curves", element("pre", { class: "wide" }, data.table), plots(panels),
     screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it."))];
 }
 
 function study_sections() {
   if (data.kind === "comparison") return comparison_sections();
+  if (data.kind === "papers") return papers_sections();
   if (data.kind === "extremes") return extremes_sections();
   const rows = [...Array(length_of(csv)).keys()], wanted = ["quantity", "place", "srif_method", "computed", "reference", "error", "estimated_error", "points", "iterations", "seconds", "processor_seconds", "message"];
   const columns = [...axes, ...wanted.filter(name => csv[name] && (differs(name) || name === "error" || name === "computed"))];
