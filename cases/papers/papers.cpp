@@ -77,7 +77,6 @@ std::vector<PaperRun> run_papers(const PaperOptions& options) {
   for (const auto& paper : chosen) {
     const fs::path folder = options.folder / paper.name;
     fs::create_directories(folder);
-    const ProcessorWatch watch;
     const auto results = paper.run(folder);
     runs.push_back({paper.name, results.rows});
     names.push_back(paper.name);
@@ -88,8 +87,7 @@ std::vector<PaperRun> run_papers(const PaperOptions& options) {
     post::write_atomically(options.folder / "papers.json", to_json(runs));
     post::write_csv(options.folder / "papers.csv", table_of(runs));
     post::write_papers_report(options.folder, {"Examples of the papers", {}}, table_of(runs), names);
-    if (!options.quiet)
-      post::say(fmt::format("{}: {} numbers, {:.1f} s\n", paper.name, results.rows.size(), watch.seconds()));
+    if (!options.quiet) post::say(fmt::format("{}: {} numbers\n", paper.name, results.rows.size()));
   }
   return runs;
 }
