@@ -51,6 +51,8 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   if (const auto problems = too_many(root, path.string()); !problems.empty()) throw CaseError(problems);
   reading.kind = kind_of(root);
   reading.finds_spacing = bool(root["srif"]["accuracy"]);
+  reading.metres = root["units"].value<std::string>() == "SI";
+  reading.spacing = root["discretization"]["spacing"].value<double>();
 
   Case content;
   content.title = path.stem().string();

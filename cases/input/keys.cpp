@@ -58,7 +58,7 @@ const Fields<Case>& case_fields() {
       choice<Case, std::string>("units", &Case::units, {{{"none", "none"}, {"SI", "SI"}}},
                                 "unit system named in the results"),
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields(), check_section),
-      table<Case, plate::Problem>("geometry", Layout::block, plate_of, geometry_fields(), name_holes),
+      table<Case, plate::Problem>("geometry", Layout::block, plate_of, geometry_fields(), check_geometry_keys),
       table<Case, plate::CrackFaces>("cracks", Layout::block, &Case::faces, crack_fields())
           .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,

@@ -38,6 +38,8 @@ void check_section(const Value& section, plate::Section& content);
 Fields<plate::Problem> geometry_fields();
 /// Cracks of the geometry: polylines, and curves as fine polylines.
 Field<plate::Problem> cracks_field();
+/// A drawing of the plate, which becomes its outline, holes and cracks.
+Field<plate::Problem> drawing_field();
 Fields<plate::CrackFaces> crack_fields();
 /// A circle or a polygon; what each is for.
 Fields<geometry::Hole> hole_fields(const std::string& round, const std::string& polygonal);
@@ -56,7 +58,10 @@ Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();
 Fields<Output> output_fields();
-void name_holes(const Value& geometry, plate::Problem& content);
+/// Calls the holes hole0, hole1 and so on.
+void name_holes(plate::Problem& content);
+/// Names the holes, and reports an outline that is missing.
+void check_geometry_keys(const Value& geometry, plate::Problem& content);
 void check_load(const Value& load, plate::Load& content);
 const Words<Analysis::Kind>& analysis_kinds();
 void check_analysis(const Value& analysis, Analysis& content);

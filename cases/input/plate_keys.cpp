@@ -116,7 +116,6 @@ void check_hole(const Value& given, Hole&) {
 Fields<plate::Problem> geometry_fields() {
   using P = plate::Problem;
   auto outline = table<P, Outline>("outline", Layout::inline_, &P::outline, outline_fields(), check_outline);
-  outline.needed = any_kind;
   const auto holes = [](auto& content) -> auto& {
     return content.outline.holes;
   };
@@ -127,6 +126,7 @@ Fields<plate::Problem> geometry_fields() {
                                   "polygonal hole; all its edges are one, hole0, hole1, ..."),
                       check_hole),
       cracks_field(),
+      drawing_field(),
   };
 }
 
@@ -136,7 +136,14 @@ Fields<plate::CrackFaces> crack_fields() {
                      "faces of cracks touch without friction; otherwise they may overlap, and a warning says so")};
 }
 
-void name_holes(const Value&, plate::Problem& content) {
+void check_geometry_keys(const Value& given, plate::Problem& content) {
+  auto& reading = given.reading();
+  if (const auto key = given.below("outline"); !reading.given(key) && !reading.given(given.below("drawing")))
+    reading.report_error(key, "is missing, must be [xmin, ymin, xmax, ymax]");
+  name_holes(content);
+}
+
+void name_holes(plate::Problem& content) {
   for (std::size_t i = 0; i < content.outline.holes.size(); ++i) {
     const std::string name = fmt::format("hole{}", i);
     if (auto* circle = std::get_if<Circle>(&content.outline.holes[i]))

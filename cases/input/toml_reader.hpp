@@ -21,6 +21,8 @@ public:
 
   std::optional<plate::Analysis::Kind> kind;  // analysis.kind, where it is known
   bool finds_spacing = false;                 // srif.accuracy is given
+  bool metres = false;                        // units = "SI"
+  std::optional<double> spacing;              // discretization.spacing, where it is a number
   bool distributed = false;                   // several ranks are to run the case
 
   /// The key was set on the command line as `typed`: "--set TYPED" is its place and that of everything below it.

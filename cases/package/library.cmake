@@ -28,8 +28,8 @@ foreach(part ${parts})
 endforeach()
 set_target_properties(pdplate_library PROPERTIES OUTPUT_NAME pdplate INSTALL_RPATH "$ORIGIN")
 target_link_options(pdplate_library PRIVATE -fopenmp -Wl,--exclude-libs,ALL -Wl,-z,defs -Wl,--wrap=stdout -Wl,--wrap=stderr)
-target_link_libraries(pdplate_library PRIVATE ${suitesparse} ${GMP_LIBRARY} ${MPFR_LIBRARY} fmt::fmt ${TOML_LIBRARY} ${MUPARSER_LIBRARY} ZLIB::ZLIB
-                      pugixml::pugixml m
+target_link_libraries(pdplate_library PRIVATE ${suitesparse} ${GMP_LIBRARY} ${MPFR_LIBRARY} fmt::fmt ${TOML_LIBRARY} ${MUPARSER_LIBRARY} ${DXFLIB_LIBRARY}
+                      ZLIB::ZLIB pugixml::pugixml m
                       pthread ${CMAKE_DL_LIBS})
 add_dependencies(pdplate_library pdplate_files)
 

@@ -29,7 +29,7 @@ foreach(page plate/theory.md tests/README.md tests/verification/README.md tests/
   install(FILES ${page} DESTINATION ${share}/${page_folder})
 endforeach()
 install(DIRECTORY plate/theory DESTINATION ${share}/plate FILES_MATCHING PATTERN "*.md")
-install(DIRECTORY cases/ DESTINATION ${share}/cases FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.md" PATTERN "*.png"
+install(DIRECTORY cases/ DESTINATION ${share}/cases FILES_MATCHING PATTERN "*.toml" PATTERN "*.dxf" PATTERN "*.csv" PATTERN "*.md" PATTERN "*.png"
         PATTERN "*.svg" PATTERN driver EXCLUDE PATTERN runs EXCLUDE PATTERN input EXCLUDE PATTERN studies EXCLUDE PATTERN report EXCLUDE
         PATTERN package EXCLUDE PATTERN python EXCLUDE)
 install(FILES cases/python/crack_lengths.py DESTINATION ${share}/cases/python)
