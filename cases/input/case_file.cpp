@@ -4,6 +4,7 @@
 
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
+#include "cases/input/mirrored_case.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/membrane.hpp"
 #include "post/report/accuracy_search.hpp"
@@ -66,6 +67,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   content.stretches = content.analysis.nonlinear;
   content.joined_with_plane =
       content.stretches || (content.analysis.kind != Analysis::Kind::static_ && plate::loaded_in_plane(content));
+  add_images(content, reading);
   snap_cracks(content, reading);
   resolve_formulation(states_formulation(root), content, reading);
   resolve_method(content, reading);
