@@ -139,17 +139,16 @@ CaseFile with_size(const CaseFile& file, double size) {
   return result;
 }
 
-void warn_of_given_lengths(const CaseFile& file, std::vector<std::string>& warnings) {
+}  // namespace
+
+void warn_of_given_lengths(const CaseFile& file, const char* by, std::vector<std::string>& warnings) {
   std::string given;
   for (const char* name : {"spacing", "tip_spacing", "hole_spacing", "spacing_growth"})
     for (const auto& [key, where] : file.source.places)
       if (key == fmt::format("discretization.{}", name)) given += (given.empty() ? "" : ", ") + std::string(name);
   if (!given.empty())
-    warnings.push_back(
-        fmt::format("srif.accuracy finds the lengths of the discretisation: {} of the case not used", given));
+    warnings.push_back(fmt::format("{} finds the lengths of the discretisation: {} of the case not used", by, given));
 }
-
-}  // namespace
 
 std::unique_ptr<Prepared> to_accuracy(const CaseFile& file, bool quiet) {
   const auto& options = *file.content.srif;
@@ -179,7 +178,7 @@ std::unique_ptr<Prepared> to_accuracy(const CaseFile& file, bool quiet) {
   if (found.summary.path.empty()) throw *refused;
   plate->stopwatch.add(before);
   for (auto& warning : post::warnings_about(found.summary)) plate->warnings.push_back(std::move(warning));
-  warn_of_given_lengths(file, plate->warnings);
+  warn_of_given_lengths(file, "srif.accuracy", plate->warnings);
   plate->accuracy = found.summary;
   std::optional<std::vector<double>> truncated;
   if (plate->motion) truncated = plate->motion->truncated();

@@ -33,6 +33,9 @@ post::AccuracyTrial trial(ValidatedPlate& ready, const plate::Analysis& analysis
 /// end it. Returns the finest plate, solved. Throws CaseError and plate::NumericalError.
 std::unique_ptr<Prepared> to_accuracy(const CaseFile& file, bool quiet);
 
+/// Warns of lengths of the discretisation that a case gives although `by`, a key, finds them.
+void warn_of_given_lengths(const CaseFile& file, const char* by, std::vector<std::string>& warnings);
+
 /// Computes the intensity factors of a case at rest with twice the spacing, by the processes of its run: one row, or a
 /// row for each of its load cases and combinations. Warns of tips at which no method has room then. Throws CaseError or
 /// plate::NumericalError.

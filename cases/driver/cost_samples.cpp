@@ -178,12 +178,13 @@ std::string cost(const CaseFile& file, int processes) {
   if (processes > 0) require_distributable(file, processes);
   std::string text = fmt::format("{}\nformulation   {} ({})\n", c.title, plate::formulation_of(c.discretization).name,
                                  c.formulation_reason);
-  if (c.srif && c.srif->accuracy)
+  if (c.finds_spacing())
     return text +
            fmt::format(
-               "srif.accuracy finds the discretisation: in {:g} s (accuracy_seconds) at most, with half of the free "
+               "{} finds the discretisation: in {:g} s ({}) at most, with half of the free "
                "memory, {:.3g} GB, at most; the first points of the search have\n",
-               c.srif->accuracy_seconds, plate::free_memory() / 2 / giga) +
+               c.accuracy ? "[accuracy]" : "srif.accuracy", c.accuracy ? c.accuracy->seconds : c.srif->accuracy_seconds,
+               c.accuracy ? "accuracy.seconds" : "accuracy_seconds", plate::free_memory() / 2 / giga) +
            of_plate(file);
   if (processes == 0) unless_refused(file, [&] { plate::require_memory(c); });
   const double spacing = c.discretization.spacing;

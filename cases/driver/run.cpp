@@ -8,6 +8,7 @@
 #include "cases/driver/neighbouring_cracks.hpp"
 #include "cases/driver/prepared.hpp"
 #include "cases/driver/recording.hpp"
+#include "cases/driver/targets.hpp"
 #include "cases/input/case_file.hpp"
 #include "cases/input/formulations.hpp"
 #include "cases/runs/analyses.hpp"
@@ -31,13 +32,15 @@ namespace {
 
 void look_at_errors(Prepared& prepared, const RunOptions& options) {
   if (!prepared.file.content.wants_errors()) return;
-  prepared.other_results = other_results(prepared.file, options, prepared.warnings);
+  if (auto other = other_results(prepared.file, options, prepared.warnings))
+    prepared.other_results.push_back(std::move(*other));
   prepared.stopwatch.lap("errors");
 }
 
 post::Summary run_accurately(const CaseFile& file, const RunOptions& options) {
-  const auto prepared = to_accuracy(file, options.quiet);
-  look_at_errors(*prepared, options);
+  const bool of_results = file.content.accuracy.has_value();
+  const auto prepared = of_results ? to_targets(file, options) : to_accuracy(file, options.quiet);
+  if (!of_results) look_at_errors(*prepared, options);
   const RunPlan plan{prepared->file.content, options};
   Outputs outputs(plan, recording(plan).recorder, prepared->stopwatch);
   prepared->stopwatch.lap("output");
@@ -82,7 +85,7 @@ post::Summary run_in_folder(const CaseFile& file, const RunOptions& options) {
   if (!options.in_memory && options.communicator->rank() == 0) check_folder(options.folder);
   const Case& c = file.content;
   if (c.growth && c.analysis.kind == Analysis::Kind::static_) return grow(file, options);
-  if (c.srif && c.srif->accuracy) return run_accurately(file, options);
+  if (c.finds_spacing()) return run_accurately(file, options);
   Prepared prepared(file, *options.communicator);
   auto& stopwatch = prepared.stopwatch;
   std::optional<Prepared> second;

@@ -44,6 +44,13 @@ std::vector<Problem> too_many(const toml::table& root, const std::string& file) 
   return problems;
 }
 
+/// Distance from singular places, the same with all points: the thickness, but no less than what points can resolve.
+double distance_of_stress(const Case& content) {
+  constexpr double least = 0.05;  // of the smaller side
+  const auto [low, high] = geometry::bounding_box(content.outline);
+  return std::max(content.section.thickness, least * (high - low).minCoeff());
+}
+
 CaseFile case_of(toml::table root, const std::filesystem::path& path, const std::vector<std::string>& overrides,
                  bool distributed) {
   Reading reading(path.string());
@@ -51,7 +58,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   for (const auto& setting : overrides) apply_override(root, setting, reading);
   if (const auto problems = too_many(root, path.string()); !problems.empty()) throw CaseError(problems);
   reading.kind = kind_of(root);
-  reading.finds_spacing = bool(root["srif"]["accuracy"]);
+  reading.finds_spacing = bool(root["srif"]["accuracy"]) || root["accuracy"].is_table();
   reading.metres = root["units"].value<std::string>() == "SI";
   reading.spacing = root["discretization"]["spacing"].value<double>();
 
@@ -79,6 +86,11 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   look_at_proportions(content, reading);
   if (content.srif && content.srif->accuracy)
     content.discretization = post::discretization_of(content, content.analysis.kind == Analysis::Kind::dynamic, 1);
+  if (content.accuracy) {
+    if (content.accuracy->stress && !content.output.stress_distance)
+      content.output.stress_distance = distance_of_stress(content);
+    content.discretization = post::discretization_for_results(content, 1);
+  }
   return {std::move(content), reading.found()};
 }
 

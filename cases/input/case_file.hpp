@@ -29,8 +29,15 @@ struct Output {
   double checkpoint_every = 60;  // [s] of the clock; 0: never
   std::map<std::string, geometry::Point> probes;
   std::map<std::string, std::array<geometry::Point, 2>> lines;  // from one point to the other, at rest
+  std::optional<double> stress_distance;  // from singular places, of stress [length]; absent: the thickness
 
   bool reports() const { return report.value_or(vtk || hdf5); }
+};
+
+/// Shares of results to which these are to be known, by a discretisation that the program finds.
+struct AccuracyTargets {
+  std::optional<double> deflection, stress, reactions, frequencies;
+  double seconds = 600;  // of the clock, for the search
 };
 
 /// Case of a simulation, as plain data: a plate, and what is done with it.
@@ -40,9 +47,12 @@ struct Case : plate::Problem {
   std::string formulation_reason = "as the case says";  // why discretization.formulation is what it is
   Analysis analysis;
   std::optional<fracture::Growth> growth;
-  std::optional<post::SrifOptions> srif;  // where intensity factors are wanted
+  std::optional<post::SrifOptions> srif;    // where intensity factors are wanted
+  std::optional<AccuracyTargets> accuracy;  // of results other than factors
   Output output;
 
+  /// True where the program finds the discretisation.
+  bool finds_spacing() const { return accuracy || (srif && srif->accuracy); }
   bool grows_at_rest() const { return growth && analysis.kind == Analysis::Kind::static_; }
   bool moves() const { return analysis.kind == Analysis::Kind::dynamic; }
   /// True where the middle plane is solved for a given deflection: at rest, or at the begin of a motion.

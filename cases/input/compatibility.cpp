@@ -51,6 +51,7 @@ constexpr auto words = std::to_array<std::pair<Part, std::string_view>>({
     {heavier_on_one_side, "plies that are heavier on one side"},
     {axial_stiffener, "`stiffener.axial`"},
     {factors_to_accuracy, "`srif.accuracy`"},
+    {results_to_accuracy, "`[accuracy]`"},
     {richardson, "`srif.richardson`"},
     {second_formulation, "`srif.second_formulation`"},
     {toughness, "`srif.toughness`"},
@@ -323,6 +324,17 @@ const std::vector<Exclusion> excluded_pairs{
     {coupled_section, factors_to_accuracy, "srif.accuracy", of_uncoupled},
     {coupled_section, richardson, "srif.richardson", of_uncoupled},
     {coupled_section, second_formulation, "srif.second_formulation", of_uncoupled},
+    {results_to_accuracy, factors_to_accuracy, "srif.accuracy",
+     "finds another discretisation than [accuracy]: remove one, and run the other with the spacing that it finds"},
+    {results_to_accuracy, richardson, "srif.richardson",
+     "compares factors of a spacing that is given: remove it, or state discretization.spacing in place of [accuracy]"},
+    {results_to_accuracy, second_formulation, "srif.second_formulation",
+     "compares factors of a spacing that is given: remove it, or state discretization.spacing in place of [accuracy]"},
+    {results_to_accuracy, growth, "accuracy",
+     "goes by errors of a plate that does not change, and cracks that grow change it: remove it"},
+    {results_to_accuracy, arc_length, "accuracy",
+     "goes by results at the full load, and \"arc_length\" follows a path: choose analysis.control = \"load\""},
+    {results_to_accuracy, processes, "accuracy", by_one_process("the discretisation cannot be found")},
     {axial_stiffener, growth, "growth",
      "growth takes no account of axial forces of stiffeners: remove it, or stiffener[].axial"},
 };
@@ -426,6 +438,7 @@ std::vector<Part> parts_of(const Case& content, bool distributed) {
   const bool axial = std::ranges::any_of(content.stiffeners, &plate::Stiffener::stretches);
   add(axial, axial_stiffener);
   if (content.srif) add_factors(*content.srif, add);
+  add(content.accuracy.has_value(), results_to_accuracy);
   add(a.preconditioner == plate::Preconditioning::local, local_preconditioner);
   add(std::ranges::any_of(content.supports, plate::is_layer, &plate::Support::kind), layers);
   add(std::ranges::any_of(content.supports, is_hub), hubs);

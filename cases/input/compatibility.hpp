@@ -48,6 +48,7 @@ enum class Part {
   heavier_on_one_side,
   axial_stiffener,
   factors_to_accuracy,
+  results_to_accuracy,
   richardson,
   second_formulation,
   toughness,

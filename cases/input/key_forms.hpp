@@ -44,7 +44,7 @@ struct Field {
   std::function<std::string(const T&, Analysis::Kind)> write;  // "name = value"; empty: absent
   Kinds used = any_kind;
   Kinds needed = {};
-  bool found = false;         // by the program, where srif.accuracy is given
+  bool found = false;         // by the program, where it finds the discretisation
   bool reads_absent = false;  // a table whose keys are missed where it is absent
   std::optional<Condition<T>> condition = std::nullopt;
 
@@ -55,7 +55,7 @@ struct Field {
   }
   Field unless_found() && {
     found = true;
-    rows.front().standard += ", but with srif.accuracy";
+    rows.front().standard += ", but with srif.accuracy or [accuracy]";
     return std::move(*this);
   }
   /// Limits the key to kinds of analysis without a word in the help.

@@ -76,6 +76,8 @@ const Fields<Case>& case_fields() {
       table<Case, fracture::Growth>("growth", Layout::block, &Case::growth, growth_fields())
           .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
       table<Case, post::SrifOptions>("srif", Layout::block, &Case::srif, srif_fields(), check_srif).used_in(loaded),
+      table<Case, AccuracyTargets>("accuracy", Layout::block, &Case::accuracy, accuracy_fields(), check_accuracy)
+          .used_in({Analysis::Kind::static_, Analysis::Kind::frequencies}),
       table<Case, Output>("output", Layout::block, &Case::output, output_fields()),
   };
   return fields;
@@ -166,6 +168,8 @@ void check_beside_analysis(const Case& content, Reading& reading) {
   if ((srif || growth) && reading.sound("section") && reading.sound("geometry"))
     report_error(errors_in_section(content));
   report_error(errors_in_motion(content, analysis, growth.has_value(), given));
+  if (content.accuracy && !content.output.errors)
+    report_error({{"output.errors", "false given beside [accuracy], which goes by these errors: remove one"}});
   report_error(errors_in_response(content, analysis));
   report_error(errors_in_prestress(content, analysis));
   report_error(errors_in_beginning(content, analysis));

@@ -30,6 +30,7 @@ struct SrifOptions;
 /// The table of keys, and what is checked when the whole file is read.
 namespace cases {
 
+struct AccuracyTargets;
 struct Case;
 struct Output;
 
@@ -57,6 +58,8 @@ Fields<plate::Impact> impact_fields();
 Fields<Analysis> analysis_fields();
 Fields<fracture::Growth> growth_fields();
 Fields<post::SrifOptions> srif_fields();
+Fields<AccuracyTargets> accuracy_fields();
+void check_accuracy(const Value& given, AccuracyTargets& targets);
 Fields<Output> output_fields();
 /// Calls the holes hole0, hole1 and so on.
 void name_holes(plate::Problem& content);

@@ -178,6 +178,34 @@ Field<Output> lines() {
 
 }  // namespace
 
+Fields<AccuracyTargets> accuracy_fields() {
+  using A = AccuracyTargets;
+  constexpr Bounds shares{1e-4, 0.5};
+  const Kinds at_rest{Analysis::Kind::static_};
+  return {
+      number<A>("deflection", "-", &A::deflection, shares,
+                "find the discretisation by which the error of the largest deflection is no larger than this share of "
+                "it; spacings and their growth need not be given, and are not used")
+          .in(at_rest),
+      number<A>("stress", "-", &A::stress, shares,
+                "the same of the largest von Mises stress, output.stress_distance or farther from singular places")
+          .in(at_rest),
+      number<A>("reactions", "-", &A::reactions, shares,
+                "the same of the forces of supports, as a share of the largest")
+          .in(at_rest),
+      number<A>("frequencies", "-", &A::frequencies, shares, "the same of every frequency")
+          .in({Analysis::Kind::frequencies}),
+      number<A>("seconds", "s", &A::seconds, positive,
+                "no finer discretisation is begun that would be expected to end later"),
+  };
+}
+
+void check_accuracy(const Value& given, AccuracyTargets& targets) {
+  if (!given.reading().sound(given.key())) return;
+  if (!targets.deflection && !targets.stress && !targets.reactions && !targets.frequencies)
+    given.report_error("names no result: give deflection, stress or reactions at rest, or frequencies");
+}
+
 Fields<Output> output_fields() {
   using O = Output;
   return {
@@ -197,6 +225,11 @@ Fields<Output> output_fields() {
           .used_in({Analysis::Kind::static_, Analysis::Kind::frequencies}),
       probes().used_in({Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::harmonic}),
       lines().in({Analysis::Kind::static_}),
+      number<O>("stress_distance", "length", &O::stress_distance, positive,
+                "distance from tips, sharp corners, pins and point forces at which the stress there is stated; given, "
+                "the largest stress leaves out what is nearer")
+          .standard("the thickness")
+          .in({Analysis::Kind::static_}),
   };
 }
 

@@ -20,7 +20,7 @@ public:
   std::filesystem::path folder;  // of the file: what it names is sought there
 
   std::optional<plate::Analysis::Kind> kind;  // analysis.kind, where it is known
-  bool finds_spacing = false;                 // srif.accuracy is given
+  bool finds_spacing = false;                 // srif.accuracy or [accuracy] is given
   bool metres = false;                        // units = "SI"
   std::optional<double> spacing;              // discretization.spacing, where it is a number
   bool distributed = false;                   // several ranks are to run the case

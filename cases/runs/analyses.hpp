@@ -39,8 +39,9 @@ struct ValidatedPlate {
   std::optional<plate::LanczosMotion> motion;
   std::vector<std::vector<post::Srif>> factors;  // at all times: of each tip what all sizes tend to, then of this plate
   std::vector<post::Srif> factors_in_plane;      // of a plate at rest: N1 and N2 as K1 and K2, among `factors` too
-  std::optional<post::AccuracySummary> accuracy;         // of the search for its discretisation
-  std::optional<post::OtherResults> other_results = {};  // where errors of results are wanted
+  std::optional<post::AccuracySummary> accuracy;       // of the search for its discretisation
+  std::vector<post::OtherResults> other_results = {};  // where errors of results are wanted
+  std::optional<post::TargetsSummary> targets = {};    // likewise, to a stated accuracy
 };
 
 /// Runs a plate as the plan of the outputs says: by load cases, at rest, in motion, for its frequencies or its harmonic

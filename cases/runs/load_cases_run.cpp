@@ -243,7 +243,7 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
   post::append(srifs_, number, one.srif);
   for (const auto& srif : one.srif)
     one.faces.push_back(post::at_faces(srif, plate_.section(), content().srif->toughness));
-  post::Extremes extremes(plate_);
+  post::Extremes extremes(plate_, content().output.stress_distance);
   extremes.row(now);
   post::Frame frame;
   if (outputs_.takes_frames() || in_plane) {

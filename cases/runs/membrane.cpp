@@ -422,7 +422,7 @@ void add_in_plane(post::Frame& frame, const plate::Formulation& plate, const pla
     frame.resultants = *result.of_both;
     return;
   }
-  frame.resultants.von_mises = plate::von_mises(frame.resultants, plate.sections(), result.forces, membrane.sections());
+  plate::add_membrane_forces(frame.resultants, plate.sections(), result.forces, membrane.sections());
 }
 
 std::string of_plane(std::string warning) {

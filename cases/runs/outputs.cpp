@@ -17,6 +17,7 @@
 #include "post/report/errors_of_results.hpp"
 #include "post/report/html_report.hpp"
 #include "post/report/probes_and_lines.hpp"
+#include "post/report/singular_places.hpp"
 
 namespace cases {
 
@@ -72,6 +73,11 @@ void Outputs::warn(std::vector<std::string> warnings) {
 void Outputs::place_probes(const plate::Formulation& plate) {
   probes_ = probes_of(content().output.probes, plate);
   if (content().ties_faces()) springs_ = std::make_unique<post::SpringsOnCracks>(plate);
+  around_.reset();
+  if (content().analysis.kind == Analysis::Kind::static_ && !content().growth && !plate.distributed())
+    around_ = std::make_unique<post::StressAround>(
+        plate, content().output.stress_distance.value_or(content().section.thickness));
+  if (around_ && around_->none()) around_.reset();
   lines_.clear();
   for (const auto& [name, ends] : content().output.lines)
     lines_.push_back(post::sampled_line(name, ends[0], ends[1], plate));
@@ -138,17 +144,19 @@ void name_settings_by_keys(post::Summary& summary) {
   name(summary.outcome), name(summary.analysis.stop_reason);
   if (summary.growth) name(summary.growth->outcome);
   if (summary.accuracy) name(summary.accuracy->ended_by);
+  if (summary.targets) name(summary.targets->ended_by);
 }
 
 }  // namespace
 
 bool Outputs::takes_values() const {
-  const bool wanted = !probes_.empty() || !lines_.empty() || springs_;
+  const bool wanted = !probes_.empty() || !lines_.empty() || springs_ || around_;
   return wanted && content().analysis.kind == Analysis::Kind::static_ && !content().growth;
 }
 
 void Outputs::take_values(const plate::Formulation& plate, const post::Frame& frame) {
   values_.push_back(post::values_at(probes_, frame, plate));
+  stress_near_.push_back(around_ ? around_->take(frame) : std::vector<post::StressAtDistance>{});
   auto& sums = sums_.emplace_back();
   for (const auto& line : lines_) {
     const auto values = post::values_at(line.places, frame, plate);
@@ -163,11 +171,14 @@ void Outputs::take_values(const plate::Formulation& plate, const post::Frame& fr
 
 /// Gives the summary the values at probes, and errors to all.
 void Outputs::set_errors() {
-  if (!values_.empty() && summary_.load_cases.empty()) summary_.probes = values_.back(), summary_.lines = sums_.back();
-  for (std::size_t i = 0; i < std::min(values_.size(), summary_.load_cases.size()); ++i)
-    summary_.load_cases[i].probes = values_[i], summary_.load_cases[i].lines = sums_[i];
-  const auto [low, high] = geometry::bounding_box(content().outline);
-  if (other_) return post::set_errors(summary_, *other_, {(high - low).norm(), content().section.thickness});
+  if (!values_.empty() && summary_.load_cases.empty())
+    summary_.probes = values_.back(), summary_.lines = sums_.back(), summary_.stress_near = stress_near_.back();
+  for (std::size_t i = 0; i < std::min(values_.size(), summary_.load_cases.size()); ++i) {
+    auto& one = summary_.load_cases[i];
+    one.probes = values_[i], one.lines = sums_[i], one.stress_near = stress_near_[i];
+  }
+  for (const auto& other : others_) post::set_errors(summary_, other, post::sizes_of(content()));
+  if (!others_.empty()) return;
   for (auto* some : {&summary_.extremes, &summary_.peaks})
     for (auto& one : *some) one.error.reset();
   for (auto& one : summary_.load_cases)
@@ -212,6 +223,7 @@ post::Summary Outputs::finish() {
 PlateAnalysis::PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs)
     : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
   summary() = about(content(), plate_, ready.warnings);
+  summary().targets = ready.targets;
   outputs.open(plate_);
   outputs.compare_with(ready.other_results);
 }

@@ -14,6 +14,7 @@
 
 namespace post {
 class SpringsOnCracks;
+class StressAround;
 struct SampledLine;
 }  // namespace post
 
@@ -78,8 +79,8 @@ public:
   /// The cracks of the plate as they were given, where there are any.
   void given_cracks(const plate::Formulation& plate, const std::vector<post::Srif>& factors = {});
 
-  /// Compares the results with those of other points when it finishes.
-  void compare_with(std::optional<post::OtherResults> other) { other_ = std::move(other); }
+  /// Compares the results with those of other points when it finishes: errors are the largest of all comparisons.
+  void compare_with(std::vector<post::OtherResults> others) { others_ = std::move(others); }
   /// Writes the tables, the summary and the report; returns the summary complete.
   post::Summary finish();
 
@@ -103,8 +104,10 @@ private:
   std::vector<std::vector<post::ProbeValue>> values_, sums_;
   std::vector<post::SampledLine> lines_;
   std::unique_ptr<const post::SpringsOnCracks> springs_;  // where there are some
+  std::unique_ptr<const post::StressAround> around_;      // likewise, singular places
+  std::vector<std::vector<post::StressAtDistance>> stress_near_;
   post::Table line_rows_, spring_rows_;
-  std::optional<post::OtherResults> other_;
+  std::vector<post::OtherResults> others_;
   post::Pictures pictures_;             // for the report
   std::unique_ptr<OwnedMesh> drawing_;  // where the plate is distributed
 };

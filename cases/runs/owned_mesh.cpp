@@ -121,8 +121,12 @@ post::Frame OwnedMesh::frame(post::Frame seen) const {
   fetch(plate_, resultants.moments);
   fetch(plate_, resultants.shear);
   fetch(plate_, resultants.von_mises.transpose());
+  fetch(plate_, resultants.top);
+  if (resultants.bottom.cols() > 0) fetch(plate_, resultants.bottom);
   const auto count = Eigen::Index(points_.size());
   result.resultants = plate::resultants_of(count);
+  result.resultants.top = resultants.top(Eigen::all, points_);
+  if (resultants.bottom.cols() > 0) result.resultants.bottom = resultants.bottom(Eigen::all, points_);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto k = Eigen::Index(points_[std::size_t(i)]);
     result.resultants.moments.col(i) = resultants.moments.col(k);

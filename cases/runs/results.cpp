@@ -38,7 +38,7 @@ Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::v
       reactions_(plate, content().analysis.rotary_inertia,
                  content().analysis.method == plate::Analysis::Method::lanczos,
                  content().analysis.damping.value_or(plate::Damping{}).mass),
-      extremes_(plate),
+      extremes_(plate, content().output.stress_distance),
       energy_balance_(content().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {}
 
 void Results::in_plane(const plate::Formulation& membrane, MembraneResult result) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "geometry/cells/tessellation.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
@@ -153,25 +154,43 @@ double von_mises(const Eigen::Vector3d& stress) {
 
 }  // namespace
 
-double von_mises(const Eigen::Vector3d& moments, const Section& section) {
-  const double h = section.thickness, by_moment = section.law == PlateLaw::membrane ? 1 / h : 6 / (h * h);
-  if (section.isotropic()) return von_mises(Eigen::Vector3d(moments * by_moment));
-  const LocalSection l(section);
-  return von_mises(Eigen::Vector3d(l.top * l.bending.ldlt().solve(moments)));
+PrincipalStresses principal(const Eigen::Vector3d& stress) {
+  const double mean = (stress[0] + stress[1]) / 2, half = (stress[0] - stress[1]) / 2;
+  const double radius = std::hypot(half, stress[2]);
+  return {mean + radius, mean - radius, std::atan2(stress[2], half) / 2 * 180 / std::numbers::pi};
 }
 
-Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_bending, const Resultants& membrane,
-                          const PointSections& of_membrane) {
-  Eigen::VectorXd result(bending.moments.cols());
+Eigen::Vector3d stress_at_top(const Eigen::Vector3d& moments, const Section& section) {
+  const double h = section.thickness, by_moment = section.law == PlateLaw::membrane ? 1 / h : 6 / (h * h);
+  if (section.isotropic()) return moments * by_moment;
+  const LocalSection l(section);
+  return l.top * l.bending.ldlt().solve(moments);
+}
+
+double von_mises(const Eigen::Vector3d& moments, const Section& section) {
+  return von_mises(stress_at_top(moments, section));
+}
+
+void set_moments(Resultants& result, Eigen::Index k, const Eigen::Vector3d& moments, const Section& section) {
+  result.moments.col(k) = moments;
+  result.top.col(k) = stress_at_top(moments, section);
+  result.von_mises[k] = von_mises(Eigen::Vector3d(result.top.col(k)));
+}
+
+void add_membrane_forces(Resultants& bending, const PointSections& of_bending, const Resultants& membrane,
+                         const PointSections& of_membrane) {
+  const auto count = bending.moments.cols();
+  bending.bottom = Eigen::Matrix3Xd::Zero(3, count);
   const auto stress = [](const LocalSection& section, const Eigen::Vector3d& resultant) -> Eigen::Vector3d {
     return section.top * section.bending.inverse() * resultant;
   };
-  for (Eigen::Index k = 0; k < result.size(); ++k) {
+  for (Eigen::Index k = 0; k < count; ++k) {
     const Eigen::Vector3d bent = stress(of_bending[std::size_t(k)], bending.moments.col(k)),
                           stretched = stress(of_membrane[std::size_t(k)], membrane.moments.col(k));
-    result[k] = std::max(von_mises(Eigen::Vector3d(stretched + bent)), von_mises(Eigen::Vector3d(stretched - bent)));
+    bending.top.col(k) = stretched + bent, bending.bottom.col(k) = stretched - bent;
+    bending.von_mises[k] =
+        std::max(von_mises(Eigen::Vector3d(stretched + bent)), von_mises(Eigen::Vector3d(stretched - bent)));
   }
-  return result;
 }
 
 void couple(Resultants& bending, Resultants& membrane, const Section& section, const Heat* heat) {
@@ -199,14 +218,16 @@ void couple(Resultants& bending, Resultants& membrane, const Section& section, c
     at_top -= free_strains(section, section.plies.back()) * (mean + half * across);
     at_bottom -= free_strains(section, section.plies.front()) * (mean - half * across);
   }
+  bending.top = top * at_top, bending.bottom = bottom * at_bottom;
   for (Eigen::Index k = 0; k < strains.cols(); ++k)
-    bending.von_mises[k] = std::max(von_mises(Eigen::Vector3d(top * at_top.col(k))),
-                                    von_mises(Eigen::Vector3d(bottom * at_bottom.col(k))));
-  membrane.von_mises = bending.von_mises;
+    bending.von_mises[k] =
+        std::max(von_mises(Eigen::Vector3d(bending.top.col(k))), von_mises(Eigen::Vector3d(bending.bottom.col(k))));
+  membrane.von_mises = bending.von_mises, membrane.top = bending.top, membrane.bottom = bending.bottom;
 }
 
 Resultants resultants_of(Eigen::Index points) {
-  return {Eigen::Matrix3Xd(3, points), Eigen::Matrix2Xd(2, points), Eigen::VectorXd(points)};
+  return {Eigen::Matrix3Xd(3, points), Eigen::Matrix2Xd(2, points), Eigen::VectorXd(points),
+          Eigen::Matrix3Xd::Zero(3, points)};
 }
 
 void set(Resultants& result, Eigen::Index k, const LocalSection& section, const Eigen::Matrix2d& theta,
@@ -215,7 +236,8 @@ void set(Resultants& result, Eigen::Index k, const LocalSection& section, const 
   const Eigen::Vector3d strains(theta(1, 0), -theta(0, 1), theta(1, 1) - theta(0, 0));
   result.moments.col(k) = section.bending * strains;
   result.shear.col(k) = shear;
-  result.von_mises[k] = von_mises(section.top * strains);
+  result.top.col(k) = section.top * strains;
+  result.von_mises[k] = von_mises(Eigen::Vector3d(result.top.col(k)));
 }
 
 }  // namespace plate

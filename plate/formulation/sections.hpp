@@ -33,12 +33,26 @@ private:
   std::vector<LocalSection> kinds_;
 };
 
-/// Section forces per length and the equivalent stress at z = +h/2. M > 0 is tension on the z > 0 face.
+/// Section forces per length and stresses of the faces. M > 0 is tension on the z > 0 face.
 struct Resultants {
-  Eigen::Matrix3Xd moments;   // Mxx, Myy, Mxy [force]
-  Eigen::Matrix2Xd shear;     // Qx, Qy [force/length]
-  Eigen::VectorXd von_mises;  // [force/length^2]
+  Eigen::Matrix3Xd moments;      // Mxx, Myy, Mxy [force]
+  Eigen::Matrix2Xd shear;        // Qx, Qy [force/length]
+  Eigen::VectorXd von_mises;     // [force/length^2]; where faces differ the larger of both
+  Eigen::Matrix3Xd top;          // stresses xx, yy, xy at z = +h/2 [force/length^2]
+  Eigen::Matrix3Xd bottom = {};  // at z = -h/2; without columns where it is -top
+
+  /// Stresses xx, yy, xy at z = -h/2 [3 x points].
+  Eigen::Matrix3Xd at_bottom() const { return bottom.cols() > 0 ? bottom : -top; }
 };
+
+/// Principal stresses of a plane state [force/length^2], and the angle of the largest from the x axis, in (-90, 90]
+/// [degrees].
+struct PrincipalStresses {
+  double largest, smallest, angle;
+};
+
+/// `stress`: xx, yy, xy.
+PrincipalStresses principal(const Eigen::Vector3d& stress);
 
 /// Gradients at a point.
 struct Gradients {
@@ -46,17 +60,22 @@ struct Gradients {
   Eigen::Vector2d shear = Eigen::Vector2d::Zero();  // gamma_xz, gamma_yz
 };
 
-/// Von Mises stress of moments Mxx, Myy, Mxy, at z = +h/2 [force/length^2].
+/// Stresses xx, yy, xy of moments Mxx, Myy, Mxy, at z = +h/2 [force/length^2].
+Eigen::Vector3d stress_at_top(const Eigen::Vector3d& moments, const Section& section);
+
+/// Von Mises stress of these [force/length^2].
 double von_mises(const Eigen::Vector3d& moments, const Section& section);
 
-/// Von Mises stress of moments and membrane forces together, at every point the larger of both faces
-/// [force/length^2].
-Eigen::VectorXd von_mises(const Resultants& bending, const PointSections& of_bending, const Resultants& membrane,
-                          const PointSections& of_membrane);
+/// Sets point k to moments that bend the plate: stresses of the faces are theirs. `section`: the same everywhere.
+void set_moments(Resultants& result, Eigen::Index k, const Eigen::Vector3d& moments, const Section& section);
+
+/// Adds membrane forces to the stresses of both faces; von Mises stress becomes the larger of both.
+void add_membrane_forces(Resultants& bending, const PointSections& of_bending, const Resultants& membrane,
+                         const PointSections& of_membrane);
 
 /// Completes resultants of a section that couples, which are given as D kappa and A epsilon: M = D kappa + B epsilon,
-/// N = A epsilon + B kappa, less what the heat of the membrane has of these, and for both the von Mises stress at every
-/// point, the larger of both faces. `heat`: null without any.
+/// N = A epsilon + B kappa, less what the heat of the membrane has of these, and for both the stresses of the faces and
+/// the von Mises stress at every point, the larger of both faces. `heat`: null without any.
 void couple(Resultants& bending, Resultants& membrane, const Section& section, const Heat* heat = nullptr);
 
 /// Resultants of these points, not yet set.

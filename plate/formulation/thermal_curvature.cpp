@@ -156,10 +156,8 @@ double stored(const Formulation& plate, const Heat& heat, const State& state) {
 void relieve(Resultants& resultants, const Section& section, const Heat& heat) {
   if (heat.none() || resultants.moments.cols() == 0) return;
   const Eigen::Vector3d each = moments_held_flat(section);
-  for (Eigen::Index k = 0; k < heat.curvature.size(); ++k) {
-    resultants.moments.col(k) -= heat.curvature[k] * each;
-    resultants.von_mises[k] = von_mises(resultants.moments.col(k), section);
-  }
+  for (Eigen::Index k = 0; k < heat.curvature.size(); ++k)
+    set_moments(resultants, k, resultants.moments.col(k) - heat.curvature[k] * each, section);
 }
 
 State cold(const State& state, const std::vector<geometry::Point>& positions, const geometry::Point& place,

@@ -117,6 +117,13 @@ Json json_of(const Peak& peak, bool moves) {
   return json;
 }
 
+Json json_of(const StressAtDistance& one) {
+  Json json{{"place", one.place},     {"x", one.singular.x()},    {"y", one.singular.y()},   {"distance", one.distance},
+            {"von_mises", one.value}, {"at_x", one.position.x()}, {"at_y", one.position.y()}};
+  add(json, "estimated_error", one.error);
+  return json;
+}
+
 Json json_of(const ProbeValue& one) {
   Json json{{"probe", one.probe},
             {"x", one.position.x()},
@@ -225,6 +232,12 @@ Json json_of(const AccuracyStep& one) {
   return json;
 }
 
+Json json_of(const TargetsSummary::Target& one) {
+  Json json{{"of", one.of}, {"asked", one.asked}};
+  add(json, "accuracy_reached", one.reached);
+  return json;
+}
+
 Json json_of(const ScenePart& part) {
   return {{"name", part.name}, {"bytes_per_point", part.bytes_per_point}, {"time_share", part.time_share}};
 }
@@ -277,6 +290,19 @@ Json json_of(const AccuracySummary& accuracy) {
   return json;
 }
 
+Json json_of(const TargetsSummary& all) {
+  Json json{{"outcome", all.outcome()}, {"results", list_of(all.targets)}};
+  for (const auto& step : all.path) {
+    Json one{{"points", step.points}, {"spacing", step.spacing}};
+    add(one, "tip_spacing", step.tip_spacing);
+    add(one, "hole_spacing", step.hole_spacing);
+    one["seconds"] = step.seconds;
+    for (const auto& target : step.targets) add(one, ("error_of_" + target.of).c_str(), target.reached);
+    json["path"].push_back(one);
+  }
+  return json;
+}
+
 Json json_of(const ContactSummary& contact) {
   return {{"least_opening", contact.least_opening},
           {"largest_pressure", contact.largest_pressure},
@@ -297,6 +323,12 @@ Json sums_json(const std::vector<ProbeValue>& sums) {
   return json;
 }
 
+/// Stresses near singular places, of those that the points resolve.
+void add_stress_near(Json& json, const std::vector<StressAtDistance>& all) {
+  for (const auto& one : all)
+    if (one.resolved) json["stress_near"].push_back(json_of(one));
+}
+
 Json json_of(const LoadCaseSummary& one) {
   Json json{{"name", one.name}};
   if (!one.of.empty()) json["of"] = json_of(one.of);
@@ -305,6 +337,7 @@ Json json_of(const LoadCaseSummary& one) {
   add(json, "residual", one.residual);
   json["srif"] = json_of(one.srif, one.faces);
   json["extremes"] = json_of(one.extremes, false);
+  add_stress_near(json, one.stress_near);
   if (!one.probes.empty()) json["probes"] = list_of(one.probes);
   if (!one.lines.empty()) json["lines"] = sums_json(one.lines);
   if (one.reactions) json["reactions"] = json_of(*one.reactions, false);
@@ -376,6 +409,7 @@ std::string to_json(const Summary& summary) {
   if (!summary.overlaps.empty()) json["overlaps"] = list_of(summary.overlaps);
   if (!summary.peaks.empty()) json["peaks"] = json_of(summary.peaks, true);
   if (!summary.extremes.empty()) json["extremes"] = json_of(summary.extremes, false);
+  add_stress_near(json, summary.stress_near);
   if (!summary.probes.empty()) json["probes"] = list_of(summary.probes);
   if (!summary.lines.empty()) json["lines"] = sums_json(summary.lines);
   if (const auto& reactions = summary.reactions)
@@ -389,6 +423,7 @@ std::string to_json(const Summary& summary) {
   if (summary.lifted) json["lifted"] = json_of(*summary.lifted);
   if (summary.multipliers) json["multipliers"] = *summary.multipliers;
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
+  if (summary.targets) json["targets"] = json_of(*summary.targets);
   if (summary.analysis.kind == plate::Analysis::Kind::frequencies) json["frequencies"] = list_of(summary.frequencies);
   if (summary.analysis.kind == plate::Analysis::Kind::buckling) {
     json["buckling"] = Json::array();

@@ -104,6 +104,17 @@ struct ProbeValue {
   std::optional<double> error = {};  // estimated
 };
 
+/// The largest von Mises stress at a distance from a place at which a plate has no finite stress.
+struct StressAtDistance {
+  std::string place;                    // "tip 0", "corner", "pin0", "spring", "point force", "impact"
+  geometry::Point singular;             // the place
+  double distance = 0;                  // [length]
+  double value = 0;                     // [force/length^2]
+  geometry::Point position = singular;  // where it is
+  bool resolved = true;                 // by the points; what is not is not written
+  std::optional<double> error = {};     // estimated
+};
+
 /// The faces behind a tip in the rows of a run: post/report/overlaps.hpp.
 struct FaceOverlaps {
   std::size_t tip;
@@ -143,6 +154,7 @@ struct LoadCaseSummary {
   std::vector<FaceFactors> faces = {};  // of every entry of srif
   std::vector<Peak> extremes = {};
   std::vector<ProbeValue> probes = {}, lines = {};
+  std::vector<StressAtDistance> stress_near = {};
   std::optional<ReactionSummary> reactions = {};
   double strain_energy = 0, external_work = 0;
   std::optional<MembraneSummary> membrane = {};  // where loads of any load case act in the plane
@@ -199,6 +211,27 @@ struct AccuracySummary {
   std::string outcome() const { return ended_by.empty() ? "reached" : ended_by; }
 };
 
+/// Search for the discretisation by which results are known to the shares that are asked.
+struct TargetsSummary {
+  struct Target {
+    std::string of;                      // "deflection", "stress", "reactions", "frequencies"
+    double asked;                        // share of the result
+    std::optional<double> reached = {};  // estimated error of the worst, likewise
+  };
+  struct Step {
+    std::size_t points = 0;
+    double spacing = 0;                                         // [length]
+    std::optional<double> tip_spacing = {}, hole_spacing = {};  // [length]
+    double seconds = 0;
+    std::vector<Target> targets = {};  // what was reached then
+  };
+  std::vector<Target> targets;
+  std::string ended_by = {};  // what ended it before; empty where all were reached
+  std::vector<Step> path = {};
+
+  std::string outcome() const { return ended_by.empty() ? "reached" : ended_by; }
+};
+
 /// Content of summary.json; cases/files.md documents every field.
 struct Summary {
   std::string title, outcome, version, digest;
@@ -230,6 +263,7 @@ struct Summary {
   std::vector<Peak> extremes;                          // in statics
   std::vector<ProbeValue> probes;                      // in statics, of one load
   std::vector<ProbeValue> lines;                       // integrals along lines, likewise
+  std::vector<StressAtDistance> stress_near;           // singular places, likewise
   std::optional<double> energy_error;                  // estimated, of the strain energy
   std::optional<ReactionSummary> reactions;            // of a plate that is held
   std::vector<LoadCaseSummary> load_cases;             // then combinations
@@ -240,6 +274,7 @@ struct Summary {
   std::optional<plate::LiftedSupports> lifted;         // where supports only push, of one load
   std::optional<double> multipliers;                   // the forces that they add, over the loads
   std::optional<AccuracySummary> accuracy;             // of a case that asks for it
+  std::optional<TargetsSummary> targets;               // likewise, of results other than factors
   std::vector<Frequency> frequencies;                  // of a frequency analysis
   std::vector<BucklingFactor> buckling;                // of a buckling analysis
   Table load_steps;                                    // of large deflections, as load_steps.csv

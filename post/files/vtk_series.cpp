@@ -35,12 +35,14 @@ std::string cracks(std::size_t frame) {
   return fmt::format("cracks_{:04}.vtp", frame);
 }
 
-/// The pieces, and what each has of its points: as vtu() writes it. `in_plane`: membrane forces too.
-std::string pvtu(std::size_t frame, int pieces, bool in_plane) {
+/// The pieces, and what each has of its points: as vtu() writes it.
+std::string pvtu(std::size_t frame, int pieces, const Frame& seen) {
   std::vector<std::pair<const char*, int>> arrays{{"w", 1},   {"theta", 2},    {"damage", 1}, {"cut", 1},
                                                   {"Mxx", 1}, {"Myy", 1},      {"Mxy", 1},    {"Qx", 1},
                                                   {"Qy", 1},  {"von_mises", 1}};
-  if (in_plane) arrays.insert(arrays.end(), {{"Nxx", 1}, {"Nyy", 1}, {"Nxy", 1}});
+  if (seen.resultants.top.cols() > 0) arrays.emplace_back("principal_top", 3);
+  if (seen.resultants.bottom.cols() > 0) arrays.emplace_back("principal_bottom", 3);
+  if (seen.in_plane) arrays.insert(arrays.end(), {{"Nxx", 1}, {"Nyy", 1}, {"Nxy", 1}});
   arrays.emplace_back("displacement", 3);
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"{}\">\n"
@@ -106,8 +108,20 @@ std::string point_data(const Mesh& mesh, const char* name, CornerWeight weight, 
   return data_array(name, {values.data(), std::size_t(values.size())}, std::size_t(values.rows()));
 }
 
+/// Principal stresses, largest and smallest, and the angle of the largest [degrees], of stresses xx, yy, xy of points.
+std::string principal_data(const Mesh& mesh, const char* name, const Eigen::Matrix3Xd& stress) {
+  if (const auto points = mesh.positions.size(); std::size_t(stress.cols()) != points)
+    throw std::invalid_argument(fmt::format("{} has {} values for {} points", name, stress.cols(), points));
+  Eigen::MatrixXd values = at_vertices(mesh, stress, &Mesh::Source::mean);
+  for (Eigen::Index k = 0; k < values.cols(); ++k) {
+    const auto [largest, smallest, angle] = plate::principal(values.col(k));
+    values.col(k) = Eigen::Vector3d(largest, smallest, angle);
+  }
+  return data_array(name, {values.data(), std::size_t(values.size())}, 3);
+}
+
 std::string fields_of(const Mesh& mesh, const Frame& frame) {
-  const auto& [moments, shear, von_mises] = frame.resultants;
+  const auto& resultants = frame.resultants;
   std::string text;
   const auto add = [&](const char* name, CornerWeight weight, const auto& rows) {
     text += point_data(mesh, name, weight, rows);
@@ -117,12 +131,14 @@ std::string fields_of(const Mesh& mesh, const Frame& frame) {
   add("theta", linear, frame.state.bottomRows<2>());
   add("damage", mean, row_of(frame.damage));
   add("cut", mean, row_of(mesh.cut));
-  add("Mxx", mean, moments.row(0));
-  add("Myy", mean, moments.row(1));
-  add("Mxy", mean, moments.row(2));
-  add("Qx", mean, shear.row(0));
-  add("Qy", mean, shear.row(1));
-  add("von_mises", mean, von_mises.transpose());
+  add("Mxx", mean, resultants.moments.row(0));
+  add("Myy", mean, resultants.moments.row(1));
+  add("Mxy", mean, resultants.moments.row(2));
+  add("Qx", mean, resultants.shear.row(0));
+  add("Qy", mean, resultants.shear.row(1));
+  add("von_mises", mean, resultants.von_mises.transpose());
+  if (resultants.top.cols() > 0) text += principal_data(mesh, "principal_top", resultants.top);
+  if (resultants.bottom.cols() > 0) text += principal_data(mesh, "principal_bottom", resultants.bottom);
   Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, frame.state.cols());
   displacement.row(2) = frame.state.row(0);
   if (const auto& in_plane = frame.in_plane) {
@@ -197,9 +213,7 @@ void VtkSeries::write(const Frame& frame) {
   times_.push_back(frame.time);
   plate::wait_for_all(*communicator_);
   if (communicator_->rank() > 0) return;
-  if (in_pieces)
-    write_atomically(folder_ / fields_in_pieces(number),
-                     pvtu(number, communicator_->size(), frame.in_plane.has_value()));
+  if (in_pieces) write_atomically(folder_ / fields_in_pieces(number), pvtu(number, communicator_->size(), frame));
   if (frame.cracks) write_atomically(folder_ / cracks(number), vtp(*frame.cracks));
   write_atomically(folder_ / "fields.pvd", pvd(times_, in_pieces ? fields_in_pieces : fields, gone_));
   if (frame.cracks) write_atomically(folder_ / "cracks.pvd", pvd(times_, cracks, gone_));

@@ -63,6 +63,14 @@ plate::Discretization discretization_of(const plate::Problem& problem, bool move
   return result;
 }
 
+plate::Discretization discretization_for_results(const plate::Problem& problem, double size) {
+  auto result = discretization_of(problem, false, size);
+  if (problem.discretization.formulation->offers(plate::Feature::graded_points)) return result;
+  result.tip_spacing.reset(), result.hole_spacing.reset();
+  result.spacing_growth = problem.discretization.spacing_growth;
+  return result;
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -107,16 +115,25 @@ double nominal_factor(const plate::Problem& problem, double strain_energy, plate
   return std::sqrt(strain_energy / (high - low).minCoeff() / TipSection(section).unit_release()[0]);
 }
 
+/// True where a plate of a smaller size would take more than half of the memory that is free.
+bool beyond_memory(double size, const SizeOfStep& last, std::size_t vectors) {
+  const double free = plate::free_memory(), ratio = std::pow(last.size / size, 2);
+  return free > 0 && bytes_of(std::size_t(ratio * double(last.points)), vectors) > free / 2;
+}
+
+/// True where a plate of a smaller size is expected to end the search later than after `most` seconds.
+bool beyond_time(double size, const SizeOfStep& last, double spent, double most) {
+  constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
+  return spent + last.seconds * std::pow(last.size / size, 2 * order) > most;
+}
+
 /// Reason that forbids a smaller size; empty where there is none.
 std::string end_before(double size, const std::vector<AccuracyStep>& path, std::size_t vectors, double seconds,
                        const SrifOptions& options) {
   if (size < least_size) return "the finest discretisation of this program";
-  const auto& last = path.back();
-  const double ratio = std::pow(last.size / size, 2);
-  const double free = plate::free_memory();
-  if (free > 0 && bytes_of(std::size_t(ratio * double(last.points)), vectors) > free / 2) return "memory";
-  constexpr double order = 1.3;  // of the time, in the number of points: measured 1.1 to 1.4
-  if (seconds + last.seconds * std::pow(ratio, order) > options.accuracy_seconds) return "`accuracy_seconds`";
+  const SizeOfStep last{path.back().size, path.back().points, path.back().seconds};
+  if (beyond_memory(size, last, vectors)) return "memory";
+  if (beyond_time(size, last, seconds, options.accuracy_seconds)) return "`accuracy_seconds`";
   return "";
 }
 
@@ -284,6 +301,15 @@ private:
 };
 
 }  // namespace
+
+std::string end_of_search(const plate::Problem& problem, double size, const SizeOfStep& last, double spent,
+                          double most) {
+  if (size < least_size && problem.discretization.formulation->offers(plate::Feature::graded_points))
+    return "the finest discretisation of this program";
+  if (beyond_memory(size, last, 0)) return "memory";
+  if (beyond_time(size, last, spent, most)) return "`seconds`";
+  return "";
+}
 
 AccuracyFound refine(const SrifOptions& options, const Solve& solve, Progress& progress) {
   return Search(options, solve, progress).run();

@@ -19,6 +19,22 @@ class Progress;
 /// have to cross the plate.
 plate::Discretization discretization_of(const plate::Problem& problem, bool moves, double size);
 
+/// The lengths of a path to a stated accuracy of results other than factors, of a plate that does not move: those of
+/// discretization_of(), also where there are no tips, as free and softly supported edges and re-entrant corners then
+/// have closer points too; of a formulation without graded points the spacing alone.
+plate::Discretization discretization_for_results(const plate::Problem& problem, double size);
+
+/// Reason that forbids a finer discretisation of a plate that does not move; empty where there is none.
+/// `size`: its own, of discretization_for_results(). `last`: the one before. `spent`, `most`: time of the search so far
+/// and at most [s].
+struct SizeOfStep {
+  double size;
+  std::size_t points;
+  double seconds;
+};
+std::string end_of_search(const plate::Problem& problem, double size, const SizeOfStep& last, double spent,
+                          double most);
+
 /// Results of one discretisation of a search.
 struct AccuracyTrial {
   const plate::Formulation* plate;

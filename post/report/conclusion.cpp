@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
@@ -18,6 +17,7 @@
 #include "post/files/summary.hpp"
 #include "post/files/table.hpp"
 #include "post/report/reactions.hpp"
+#include "post/report/singular_places.hpp"
 
 namespace post {
 namespace {
@@ -64,64 +64,6 @@ std::vector<Peak> peaks(const std::vector<double>& times, const std::vector<std:
   return result;
 }
 
-namespace {
-
-using geometry::Point;
-
-/// Corners at which plates have no finite stress (Williams 1952): those that point into the plate, those between a
-/// clamped and a free edge of more than 60 degrees, and blunt ones of simply supported edges. Corners of less than 45
-/// degrees from straight are edges that bend.
-void add_corners(const geometry::Polygon& ring, bool outer, const plate::Problem& problem, std::vector<Point>& found) {
-  constexpr double straight = 180, bend = 45, least = 60, right = 95;  // [degrees]
-  const auto holds = [&](const std::string& edge, bool clamped) {
-    return std::ranges::any_of(problem.supports, [&](const plate::Support& support) {
-      return !support.holds_nothing() && std::ranges::find(support.edges, edge) != support.edges.end() &&
-             (!clamped || support.kind == plate::SupportKind::clamped);
-    });
-  };
-  const auto count = ring.vertices.size();
-  double area = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point &a = ring.vertices[i], &b = ring.vertices[(i + 1) % count];
-    area += a.x() * b.y() - a.y() * b.x();
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point &at = ring.vertices[i], before = at - ring.vertices[(i + count - 1) % count],
-                after = ring.vertices[(i + 1) % count] - at;
-    const double turn = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
-    const double to_the_left = straight - (area > 0 ? 1 : -1) * turn * 180 / std::numbers::pi;  // inside of the ring
-    const double angle = outer ? to_the_left : 360 - to_the_left;
-    const auto &one = ring.edge_names[(i + count - 1) % count], &other = ring.edge_names[i];
-    const bool loose = (holds(one, true) && !holds(other, false)) || (holds(other, true) && !holds(one, false));
-    const bool simple = holds(one, false) && holds(other, false) && !holds(one, true) && !holds(other, true);
-    if (angle > straight + bend || (loose && angle > least) || (simple && angle > right && angle < straight - bend))
-      found.push_back(at);
-  }
-}
-
-/// Points at which plates have no finite stress.
-std::vector<Point> singular(const plate::Formulation& plate) {
-  std::vector<Point> result;
-  const auto& outline = plate.problem().outline;
-  add_corners(outline.outer, true, plate.problem(), result);
-  for (const auto& hole : outline.holes)
-    if (const auto* ring = std::get_if<geometry::Polygon>(&hole)) add_corners(*ring, false, plate.problem(), result);
-  for (const auto& tip : plate.tips()) result.push_back(tip.position);
-  for (const auto& holder : plate.boundary().holders)
-    if (holder.position && holder.kind != plate::SupportKind::hub) result.push_back(*holder.position);
-  for (const auto& support : plate.problem().supports)
-    if (support.held_in_plane() != plate::InPlane::free)
-      result.insert(result.end(), support.points.begin(), support.points.end());
-  for (const auto& load : plate.problem().loads)
-    if (const auto x = load.point()) result.push_back(*x);
-  if (const auto& impact = plate.problem().impact) result.push_back(impact->position);
-  for (const auto& spring : plate.problem().springs)
-    if (spring.position) result.push_back(*spring.position);
-  return result;
-}
-
-}  // namespace
-
 void Extremes::row(const plate::Instant& now) {
   for (std::size_t k = 0; k < plate_->cloud().plate_points; ++k) {
     const double w = now.state(0, Eigen::Index(k));
@@ -134,8 +76,9 @@ void Extremes::row(const plate::Instant& now) {
 
 Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) const {
   const auto& cloud = plate_->cloud();
-  const double away = std::max(plate_->section().thickness / 2, 4 * plate_->discretization().spacing_at_tips());
-  const auto places = singular(*plate_);
+  const double away =
+      distance_.value_or(std::max(plate_->section().thickness / 2, 4 * plate_->discretization().spacing_at_tips()));
+  const auto places = singular_places(*plate_);
   Peak peak{"von_mises", {}, 0, time, {}, {}};
   if (!places.empty()) peak.outside = away;
   const auto change = [&](std::size_t k) {  // half of that to the next points: what a place between them may have more
@@ -151,7 +94,8 @@ Peak Extremes::largest_stress(double time, const plate::Resultants& resultants) 
     const double stress = resultants.von_mises[Eigen::Index(k)];
     if (stress <= peak.value && peak.position) continue;
     const auto& x = cloud.positions[k];
-    if (std::ranges::any_of(places, [&](const Point& place) { return (x - place).norm() < away; })) continue;
+    if (std::ranges::any_of(places, [&](const SingularPlace& place) { return (x - place.position).norm() < away; }))
+      continue;
     peak.value = stress, peak.position = x, peak.error = change(k);
   }
   return peak;

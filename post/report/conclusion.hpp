@@ -32,11 +32,13 @@ constexpr double small_deflection = 0.5;
 /// Largest deflection and von Mises stress (of both faces, which have the same) of a run on one plate, and their
 /// places. Stress is looked at in frames and where the strain energy of all rows is largest: at every row it would cost
 /// more than the row. It grows without limit towards tips, sharp corners, pins and point forces: what is nearer to one
-/// than half the thickness, where a plate's theory has no stresses, or than four spacings, does not count.
+/// than half the thickness, where a plate's theory has no stresses, or than four spacings, or than a given distance,
+/// does not count.
 class Extremes {
 public:
   /// `plate` must outlive this.
-  explicit Extremes(const plate::Formulation& plate) : plate_(&plate) {}
+  explicit Extremes(const plate::Formulation& plate, std::optional<double> distance = {})
+      : plate_(&plate), distance_(distance) {}
 
   void row(const plate::Instant& now);
   void frame(double time, const plate::Resultants& resultants);
@@ -61,6 +63,7 @@ private:
   Peak largest_stress(double time, const plate::Resultants& resultants) const;
 
   const plate::Formulation* plate_;
+  std::optional<double> distance_;  // [length]
   std::optional<Peak> deflection_, stress_;
   // of the row with the largest strain energy
   double strain_energy_ = -1, time_ = 0;

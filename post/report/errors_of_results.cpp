@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+
+#include "plate/model/problem.hpp"
 
 namespace post {
 namespace {
@@ -21,13 +24,20 @@ public:
     all_.push_back({kind, share_ * std::abs(value - other), &error});
   }
 
-  /// Sets all errors, at least `floor` times the largest relative one. Those that are known already do not get less.
-  void set(double floor) const {
-    double common = 0;
+  /// Returns the largest relative difference.
+  double largest() const {
+    double result = 0;
     for (const auto& one : all_)
-      if (const double size = sizes_.at(one.kind); size > 0) common = std::max(common, one.difference / size);
+      if (const double size = sizes_.at(one.kind); size > 0) result = std::max(result, one.difference / size);
+    return result;
+  }
+
+  /// Sets all errors, at least `floor` times the largest relative one and `least`, relative too. Those that are known
+  /// already do not get less.
+  void set(double floor, double least = 0) const {
+    const double common = std::max(floor * largest(), least);
     for (const auto& one : all_)
-      *one.error = std::max({one.difference, floor * common * sizes_.at(one.kind), one.error->value_or(0)});
+      *one.error = std::max({one.difference, common * sizes_.at(one.kind), one.error->value_or(0)});
   }
 
 private:
@@ -45,6 +55,7 @@ private:
 struct Alike {
   std::vector<Peak>& extremes;
   std::vector<ProbeValue>&probes, &lines;
+  std::vector<StressAtDistance>& stress_near;
   std::optional<ReactionSummary>& reactions;
   std::optional<MembraneSummary>& membrane;
   std::optional<double>& energy_error;
@@ -53,8 +64,8 @@ struct Alike {
 
 template <typename Found>
 Alike alike(Found& found, double strain_energy) {
-  return {found.extremes, found.probes,       found.lines,  found.reactions,
-          found.membrane, found.energy_error, strain_energy};
+  return {found.extremes,  found.probes,   found.lines,        found.stress_near,
+          found.reactions, found.membrane, found.energy_error, strain_energy};
 }
 
 double strain_energy(const Summary& summary) {
@@ -84,6 +95,10 @@ std::pair<const char*, const char*> group_and_size(const std::string& quantity) 
       {"Nyy", {"membrane forces", "N"}},
       {"Nxy", {"membrane forces", "N"}},
       {"von_mises", {"moments", "von_mises"}},
+      {"sigma1_top", {"moments", "von_mises"}},
+      {"sigma2_top", {"moments", "von_mises"}},
+      {"sigma1_bottom", {"moments", "von_mises"}},
+      {"sigma2_bottom", {"moments", "von_mises"}},
       {"moment", {"sums of moments", "M"}},
       {"twist", {"sums of moments", "M"}},
       {"shear", {"sums of shear", "Q"}},
@@ -97,7 +112,7 @@ std::pair<const char*, const char*> group_and_size(const std::string& quantity) 
 /// stress give. What is smaller at the probes may be rounding, as the rotation in the middle of a symmetric plate.
 std::map<std::string, double> least_sizes(const Alike& own, const PlateSizes& sizes) {
   constexpr double share = 0.1;
-  const auto [diameter, h] = sizes;
+  const double diameter = sizes.diameter, h = sizes.thickness;
   std::map<std::string, double> result;
   if (const auto* w = peak_of(own.extremes, "w")) result["theta"] = share * std::abs(w->value) / diameter;
   if (const auto* stress = peak_of(own.extremes, "von_mises")) {
@@ -108,8 +123,28 @@ std::map<std::string, double> least_sizes(const Alike& own, const PlateSizes& si
   return result;
 }
 
-void set_errors_of_displacements(const Alike& own, const Alike& other, const OtherResults& by,
-                                 const PlateSizes& sizes) {
+bool is_angle(const ProbeValue& one) {
+  return one.quantity.starts_with("angle_");
+}
+
+/// Angles of principal stresses, which turn by what both stresses may be off, but by no more than a right angle. Each
+/// follows its two stresses.
+void set_errors_of_angles(std::vector<ProbeValue>& own, const std::vector<ProbeValue>& other, double share) {
+  constexpr double right = 90, degrees = 180 / std::numbers::pi;
+  for (std::size_t i = 2; i < std::min(own.size(), other.size()); ++i) {
+    if (!is_angle(own[i])) continue;
+    const auto &largest = own[i - 2], &smallest = own[i - 1];
+    const double apart = largest.value - smallest.value,
+                 off = largest.error.value_or(INFINITY) + smallest.error.value_or(INFINITY);
+    const double turned = std::abs(std::remainder(own[i].value - other[i].value, 2 * right));
+    const double by_stress = off < apart ? degrees * std::asin(off / apart) / 2 : right;
+    own[i].error = std::min(right, std::max(share * turned, by_stress));
+  }
+}
+
+/// Returns the relative error of deflections, rotations and strain energy.
+double set_errors_of_displacements(const Alike& own, const Alike& other, const OtherResults& by,
+                                   const PlateSizes& sizes) {
   std::map<std::string, Differences> groups;
   const auto group = [&](const char* name) -> Differences& { return groups.try_emplace(name, by.share).first->second; };
   const auto least = least_sizes(own, sizes);
@@ -127,6 +162,7 @@ void set_errors_of_displacements(const Alike& own, const Alike& other, const Oth
   if (own.strain_energy > 0) group("bending").add("energy", own.strain_energy, other.strain_energy, own.energy_error);
   const auto compare = [&](std::vector<ProbeValue>& values, const std::vector<ProbeValue>& there) {
     for (std::size_t i = 0; i < std::min(values.size(), there.size()); ++i) {
+      if (is_angle(values[i])) continue;
       const auto& [where, kind] = group_and_size(values[i].quantity);
       const auto size = least.find(kind);
       group(where).add(kind, values[i].value, there[i].value, values[i].error, size == least.end() ? 0 : size->second);
@@ -138,10 +174,24 @@ void set_errors_of_displacements(const Alike& own, const Alike& other, const Oth
                        own.membrane->error);
   // all of a deflection is off where its supports are; moments are so in places
   for (const auto& [name, differences] : groups) differences.set(name == "bending" || name == "plane" ? 1 : by.floor);
+  set_errors_of_angles(own.probes, other.probes, by.share);
+  return group("bending").largest();
+}
+
+void set_errors_of_stress_near(std::vector<StressAtDistance>& own, const std::vector<StressAtDistance>& other,
+                               const OtherResults& by) {
+  for (auto& one : own) {
+    const auto there =
+        std::ranges::find_if(other, [&](const auto& that) { return (that.singular - one.singular).isZero(0); });
+    if (there != other.end())
+      one.error = std::max(one.error.value_or(0), by.of_largest_stress * by.share * std::abs(one.value - there->value));
+  }
 }
 
 /// Forces, and moments over the size of the plate, of every support by name.
-void set_errors_of_reactions(ReactionSummary& own, const ReactionSummary& other, double share, double size) {
+/// `least`: relative error of them, at least.
+void set_errors_of_reactions(ReactionSummary& own, const ReactionSummary& other, double share, double size,
+                             double least) {
   std::vector<std::array<std::optional<double>, 3>> errors(own.supports.size());
   Differences all(share);
   for (std::size_t i = 0; i < own.supports.size(); ++i) {
@@ -154,8 +204,13 @@ void set_errors_of_reactions(ReactionSummary& own, const ReactionSummary& other,
     all.add("", here.moment_x / size, that.moment_x / size, errors[i][1]);
     all.add("", here.moment_y / size, that.moment_y / size, errors[i][2]);
   }
-  all.set(1);
-  for (const auto& [force, x, y] : errors) own.errors.push_back({*force, size * *x, size * *y});
+  all.set(1, least);
+  own.errors.resize(errors.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const auto& [force, x, y] = errors[i];
+    auto& error = own.errors[i];
+    error = {std::max(error.force, *force), std::max(error.moment_x, size * *x), std::max(error.moment_y, size * *y)};
+  }
 }
 
 void set_errors_of_forces_in_plane(MembraneSummary& own, const MembraneSummary& other, double share) {
@@ -168,18 +223,42 @@ void set_errors_of_forces_in_plane(MembraneSummary& own, const MembraneSummary& 
       all.add("", own.reactions[i].force[axis], there->force[axis], errors[i][std::size_t(axis)]);
   }
   all.set(1);
-  for (std::size_t i = 0; i < errors.size(); ++i) own.reactions[i].error = std::max(*errors[i][0], *errors[i][1]);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    own.reactions[i].error = std::max({own.reactions[i].error.value_or(0), *errors[i][0], *errors[i][1]});
 }
 
 void set_errors_alike(const Alike& own, const Alike& other, const OtherResults& by, const PlateSizes& sizes) {
-  set_errors_of_displacements(own, other, by, sizes);
+  const double of_bending = set_errors_of_displacements(own, other, by, sizes);
   const double share = by.share;
+  set_errors_of_stress_near(own.stress_near, other.stress_near, by);
   if (own.reactions && other.reactions)
-    set_errors_of_reactions(*own.reactions, *other.reactions, share, sizes.diameter);
+    set_errors_of_reactions(*own.reactions, *other.reactions, share, sizes.diameter,
+                            std::max(sizes.soft_edges, of_bending / 2));
   if (own.membrane && other.membrane) set_errors_of_forces_in_plane(*own.membrane, *other.membrane, share);
 }
 
 }  // namespace
+
+double error_of_soft_edges(const plate::Problem& problem) {
+  constexpr double share = 0.3, most = 3;  // measured: tests/verification/measured_edges_galerkin.md, "Reactions"
+  const bool soft = std::ranges::any_of(problem.supports, [](const plate::Support& support) {
+    return support.kind == plate::SupportKind::simply_supported && !support.edges.empty() && !support.holds_nothing();
+  });
+  if (!soft) return 0;
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  const auto& d = problem.discretization;
+  double spacing = d.spacing;
+  if (d.tip_spacing) {  // points at edges as plate::grading_of() has them
+    const double wide = d.spacing_growth * d.spacing, layer = problem.section.layer();
+    spacing = std::min(spacing, std::max({wide, std::sqrt(wide * layer), 7 * d.spacing_growth * layer}));
+  }
+  return share * spacing / (high - low).minCoeff() * std::clamp(spacing / problem.section.thickness, 1.0, most);
+}
+
+PlateSizes sizes_of(const plate::Problem& problem) {
+  const auto [low, high] = geometry::bounding_box(problem.outline);
+  return {(high - low).norm(), problem.section.thickness, error_of_soft_edges(problem)};
+}
 
 void set_errors(Summary& summary, const OtherResults& other, const PlateSizes& sizes) {
   Summary there = other.summary;
@@ -193,7 +272,7 @@ void set_errors(Summary& summary, const OtherResults& other, const PlateSizes& s
     auto& one = summary.frequencies[i];
     const double apart = std::abs(one.frequency - there.frequencies[i].frequency);
     if (one.frequency > 0) relative = std::max(relative, other.share * apart / one.frequency);
-    one.error = relative * one.frequency;
+    one.error = std::max(one.error.value_or(0), relative * one.frequency);
   }
 }
 

@@ -129,7 +129,8 @@ Pictures::Picture Pictures::picture(const Frame& frame) const {
   const auto& in_plane = frame.in_plane;
   const bool bends = !in_plane || !earlier_.empty() || !frame.state.isZero(0);
   if (bends) add("w", frame.state.row(0), linear);
-  const auto& [moments, shear, von_mises] = frame.resultants;
+  const auto& moments = frame.resultants.moments;
+  const auto& von_mises = frame.resultants.von_mises;
   if (von_mises.size() > 0) add("von_mises", von_mises.transpose(), mean);
   if (bends && von_mises.size() > 0) add_tensor({"Mxx", "Myy", "Mxy"}, moments);
   if (!bends) {

@@ -237,6 +237,23 @@ void peaks(Text out, const std::vector<Peak>& all, bool moves, double thickness)
   }
 }
 
+/// Stresses near singular places, those that the points resolve.
+void near(Text out, const std::vector<StressAtDistance>& all, double thickness, std::size_t most = 8) {
+  std::size_t told = 0, left = 0;
+  for (const auto& one : all) {
+    if (!one.resolved || told == most) {
+      ++left;
+      continue;
+    }
+    ++told;
+    fmt::format_to(out, "     von Mises {:>15.6g}{} at {:.3g} from {} at {}\n", one.value,
+                   one.error ? fmt::format(" +- {:.2g}", *one.error) : "", one.distance, one.place,
+                   place_text(one.singular, thickness));
+  }
+  if (left > 0)
+    fmt::format_to(out, "     not stated: stress at {:.3g} from {} more singular places\n", all.front().distance, left);
+}
+
 void buckling(Text out, const std::vector<BucklingFactor>& modes) {
   if (modes.empty()) return;
   fmt::format_to(out, "{:>4} {:>15} {:>9} {:>9}\n", "mode", "load factor", "residual", "error");
@@ -262,6 +279,24 @@ void accuracy(Text out, const AccuracySummary& accuracy) {
   for (const auto& step : accuracy.path)
     fmt::format_to(out, "{:>8} {:>10.4g} {:>11.4g} {:>9.2f} {:>16}\n", step.points, step.spacing, step.tip_spacing,
                    step.seconds, step.error ? fmt::format("{:.2g} %", 100 * *step.error) : "-");
+}
+
+/// The way to the accuracy of results other than factors.
+void targets(Text out, const TargetsSummary& all) {
+  const auto share = [](const std::optional<double>& one) {
+    return one ? fmt::format("{:.2g} %", 100 * *one) : std::string("-");
+  };
+  std::vector<std::string> asked;
+  for (const auto& one : all.targets)
+    asked.push_back(fmt::format("{} {:.2g} % (error {})", one.of, 100 * one.asked, share(one.reached)));
+  fmt::format_to(out, "accuracy asked of {}: {}\n{:>8} {:>10} {:>9}", fmt::join(asked, ", "), all.outcome(), "points",
+                 "spacing", "seconds");
+  for (const auto& one : all.targets) fmt::format_to(out, " {:>12}", one.of);
+  for (const auto& step : all.path) {
+    fmt::format_to(out, "\n{:>8} {:>10.4g} {:>9.2f}", step.points, step.spacing, step.seconds);
+    for (const auto& one : step.targets) fmt::format_to(out, " {:>12}", share(one.reached));
+  }
+  fmt::format_to(out, "\n");
 }
 
 /// Width of the column of names of load cases.
@@ -371,6 +406,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
                  has_plane && a.iterations == std::size_t(0) ? "loaded in its plane alone" : a.stop_reason);
   if (summary.processes) text += printed(*summary.processes);
   if (summary.accuracy) accuracy(out, *summary.accuracy);
+  if (summary.targets) targets(out, *summary.targets);
   if (!summary.srif.empty() && !summary.peaks.empty()) fmt::format_to(out, "at the end of the duration:\n");
   if (!summary.srif.empty()) factors(out, summary.srif, si, thickness);
   in_plane(out, summary.srif, si);
@@ -390,6 +426,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
     fmt::format_to(out, "multipliers add forces of {:.2g} of the loads beside the edges\n", *summary.multipliers);
   if (!summary.peaks.empty()) peaks(out, summary.peaks, true, thickness);
   if (!summary.extremes.empty()) peaks(out, summary.extremes, false, thickness);
+  near(out, summary.stress_near, thickness);
   sums(out, summary.lines);
   const bool both = !summary.frequencies.empty() && summary.frequencies.front().share_in_plane;
   if (!summary.frequencies.empty())

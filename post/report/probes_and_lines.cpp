@@ -40,7 +40,17 @@ std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame&
     if (frame.in_plane)
       for (Eigen::Index i = 0; i < 3; ++i)
         add(std::string("N") + &forces[std::size_t(i)][1], mean(frame.in_plane->force, i));
-    add("von_mises", mean(frame.resultants.von_mises.transpose(), 0));
+    const auto& resultants = frame.resultants;
+    add("von_mises", mean(resultants.von_mises.transpose(), 0));
+    const auto add_principal = [&](const std::string& face, const Eigen::Vector3d& stress) {
+      const auto [largest, smallest, angle] = plate::principal(stress);
+      add("sigma1_" + face, largest), add("sigma2_" + face, smallest), add("angle_" + face, angle);
+    };
+    const auto at = [&](const Eigen::Matrix3Xd& stress) {
+      return Eigen::Vector3d(mean(stress, 0), mean(stress, 1), mean(stress, 2));
+    };
+    const Eigen::Vector3d top = at(resultants.top);
+    add_principal("top", top), add_principal("bottom", resultants.bottom.cols() > 0 ? at(resultants.bottom) : -top);
   }
   return result;
 }

@@ -15,8 +15,9 @@ namespace post {
 
 struct Frame;
 
-/// Deflection, rotations, moments, forces and von Mises stress of a frame of the plate at probes, with u, v and
-/// membrane forces where loads act in the plane. Of bonds that several processes share displacements alone: what ghosts
+/// Deflection, rotations, moments, forces, von Mises stress and the principal stresses of both faces (sigma1 >= sigma2,
+/// angle of sigma1 from x in degrees) of a frame of the plate at probes, with u, v and membrane forces where loads act
+/// in the plane. Of bonds that several processes share displacements alone: what ghosts
 /// carry is not known.
 std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame& frame,
                                   const plate::Formulation& plate);

@@ -71,7 +71,9 @@ void StateFile::part() {
 }
 
 void StateFile::write(const Frame& frame, const plate::State* velocity) {
-  const auto& [moments, shear, von_mises] = frame.resultants;
+  const auto& moments = frame.resultants.moments;
+  const auto& shear = frame.resultants.shear;
+  const auto& von_mises = frame.resultants.von_mises;
   const auto fits = [&](Eigen::Index columns) { return others_follow_ ? columns >= own_ : columns == own_; };
   if (!fits(frame.state.cols())) throw std::invalid_argument("state.h5: the state does not fit the points");
   if (velocity && !fits(velocity->cols())) throw std::invalid_argument("state.h5: the velocities do not fit the state");

@@ -7,6 +7,7 @@ const units = {
   K1: "N √m", K2: "N √m", K3: "N/√m", w: "m", von_mises: "Pa", Mxx: "N", Myy: "N", Mxy: "N", Qx: "N/m", Qy: "N/m",
   stress: "Pa", length: "m", time: "s", energy: "J", force: "N", moment: "N m", pressure: "Pa", frequency: "Hz",
   speed: "m/s", face: "Pa √m", G: "N/m", density: "kg/m³", shear: "N/m", edge_moment: "N", edge_shear: "N/m", point_force: "N", settlement: "m",
+  sigma1_top: "Pa", sigma2_top: "Pa", sigma1_bottom: "Pa", sigma2_bottom: "Pa",
   u: "m", v: "m", Nxx: "N/m", Nyy: "N/m", Nxy: "N/m", N1: "N/√m", N2: "N/√m", edge_traction: "N/m", body_force: "N/m²",
 };
 const unit = quantity => (si && units[quantity]) || "";
@@ -14,6 +15,8 @@ const with_unit = (words, quantity) => (unit(quantity) ? `${words} [${unit(quant
 
 const names = {
   w: "deflection w", von_mises: "von Mises stress, top face", Mxx: "moment Mxx", Myy: "moment Myy", Mxy: "twisting moment Mxy",
+  sigma1_top: "largest principal stress, z > 0", sigma2_top: "smallest principal stress, z > 0", angle_top: "angle of the largest from x, z > 0 [°]",
+  sigma1_bottom: "largest principal stress, z < 0", sigma2_bottom: "smallest principal stress, z < 0", angle_bottom: "angle of the largest from x, z < 0 [°]",
   u: "displacement u", v: "displacement v", Nxx: "membrane force Nxx", Nyy: "membrane force Nyy", Nxy: "membrane force Nxy",
   damage: "damage", utilisation: "utilisation of the toughness",
 };

@@ -100,7 +100,8 @@ std::vector<Sample> samples_in_plane() {
   const Settings bends{{"analysis.nonlinear", "true"}, {"discretization.formulation", "galerkin"}};
   return {{arc_length, joined(bends, {{"analysis.control", "arc_length"}})},
           {constant_load, bends, "{ kind = 'pressure', value = 1, constant = true }"},
-          {growth_in_plane, grows, traction}};
+          {growth_in_plane, grows, traction},
+          {results_to_accuracy, {{"accuracy.deflection", "0.01"}}}};
 }
 
 std::vector<Sample> samples_of_supports() {

@@ -56,6 +56,47 @@ TEST_CASE("von Mises of stresses whose squares are beyond double precision") {
   }
 }
 
+TEST_CASE("principal stresses: of a state that is turned, by every angle; opposite faces change their order and sign") {
+  constexpr double degrees = 180 / 3.14159265358979323846;
+  for (const double s1 : {5.0, 0.0, -1.0})
+    for (const double s2 : {-1.5, -4.0})
+      for (double angle = -89; angle <= 90; angle += 17.9) {
+        const double c = std::cos(angle / degrees), s = std::sin(angle / degrees);
+        const Eigen::Vector3d stress(s1 * c * c + s2 * s * s, s1 * s * s + s2 * c * c, (s1 - s2) * c * s);
+        const auto found = principal(stress), below = principal(-stress);
+        CAPTURE(s1, s2, angle);
+        CHECK(found.largest == Approx(s1).margin(1e-12));
+        CHECK(found.smallest == Approx(s2).margin(1e-12));
+        CHECK(found.angle == Approx(angle).margin(1e-9));
+        CHECK(below.largest == Approx(-s2).margin(1e-12));
+        CHECK(std::abs(std::remainder(below.angle - angle, 180)) == Approx(90).margin(1e-9));
+      }
+  CHECK(principal({0, -1, 0}).angle == Approx(0).margin(1e-12));
+  CHECK(principal({-1, 0, 0}).angle == Approx(90));
+}
+
+TEST_CASE("faces: membrane forces add to the stress of both, with the sign of the face") {
+  auto bending = resultants_of(2), membrane = resultants_of(2);
+  auto in_plane = section;
+  in_plane.law = PlateLaw::membrane;
+  const double h = section.thickness;
+  Eigen::Matrix3Xd M(3, 2), N(3, 2);
+  M << 0.3, -0.1, 0.2, 0.4, -0.5, 0.6;
+  N << 7, -3, 2, 5, -4, 1;
+  for (Eigen::Index k = 0; k < 2; ++k) set_moments(bending, k, M.col(k), section), membrane.moments.col(k) = N.col(k);
+  CHECK(bending.top.isApprox(6 / (h * h) * M, 1e-12));
+  CHECK(bending.at_bottom().isApprox(-bending.top, 1e-12));
+  add_membrane_forces(bending, section, membrane, in_plane);
+  CHECK(bending.top.isApprox(N / h + 6 / (h * h) * M, 1e-12));
+  CHECK(bending.at_bottom().isApprox(N / h - 6 / (h * h) * M, 1e-12));
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    double larger = 0;
+    for (const Eigen::Vector3d& s : {Eigen::Vector3d(bending.top.col(k)), Eigen::Vector3d(bending.bottom.col(k))})
+      larger = std::max(larger, std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * s[2] * s[2]));
+    CHECK(bending.von_mises[k] == Approx(larger).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("constant shear angles: exact shear forces and no moments") {
   const auto m = perforated();
   // gamma_xz = w,x + theta_y = 0.2 + 0.3, gamma_yz = w,y - theta_x = -0.1 - 0.4

@@ -1,6 +1,6 @@
 #include "post/report/errors_of_results.hpp"
 
-#include "tests/catch.hpp"
+#include "tests/unit/cases/case_text.hpp"
 
 using post::OtherResults;
 using post::Summary;
@@ -32,6 +32,65 @@ TEST_CASE("errors of results: a share of the difference, of a group at least the
   REQUIRE(summary.reactions->errors.size() == 2);
   CHECK(summary.reactions->errors[0].force == Approx(0.25));
   CHECK(summary.reactions->errors[1].moment_y == Approx(0.5));  // the same over the size of the plate
+}
+
+TEST_CASE("errors of results: reactions have at least what soft edges leave out, and half the share of deflections") {
+  const auto force = [](double w, double soft) {
+    auto own = rests(1, 0.2, 10);
+    post::set_errors(own, {rests(w, 0.2, 10), 1}, {2, 0.01, soft});
+    return own.reactions->errors[0].force;
+  };
+  CHECK(force(1, 0) == 0);  // both agree in all
+  CHECK(force(1, 0.03) == Approx(0.3));
+  CHECK(force(0.9, 0) == Approx(0.5));  // deflections are 10 % apart
+  CHECK(force(0.9, 0.03) == Approx(0.5));
+}
+
+TEST_CASE("errors of results: soft edges leave out the more, the farther points are apart, more so than thick") {
+  auto content = case_text::read(case_text::plain, {"geometry.cracks=[]"}).content;
+  const auto at = [&](double spacing, double thickness) {
+    content.discretization.spacing = spacing, content.section.thickness = thickness;
+    return post::error_of_soft_edges(content);
+  };
+  CHECK(at(0.1, 0.1) == 0);  // clamped
+  content.supports[0].kind = plate::SupportKind::simply_supported;
+  CHECK(at(0.1, 0.1) == Approx(0.015));
+  CHECK(at(0.05, 0.1) == Approx(0.0075));
+  CHECK(at(0.1, 0.05) == Approx(0.03));
+  CHECK(at(0.1, 0.001) == Approx(0.045));
+  content.discretization.tip_spacing = 0.001, content.discretization.spacing_growth = 0.05;
+  CHECK(at(0.1, 0.1) < 0.005);  // closer points at the edges
+  content.supports[0].kind = plate::SupportKind::simply_supported_hard;
+  CHECK(at(0.1, 0.1) == 0);
+}
+
+TEST_CASE("errors of results: an angle turns by what both stresses may be off, by no more than a right angle") {
+  const auto of = [](double s1, double s2, double angle) {
+    Summary result;
+    result.extremes = {{"w", {}, 1, 0, {}, {}}, {"von_mises", {}, 1, 0, {}, {}}};
+    result.probes = {
+        {"a", "sigma1_top", {0, 0}, s1}, {"a", "sigma2_top", {0, 0}, s2}, {"a", "angle_top", {0, 0}, angle}};
+    return result;
+  };
+  const auto error = [&](const Summary& one, const Summary& other) {
+    auto own = one;
+    post::set_errors(own, {other, 1}, {1, 0.01});
+    return *own.probes[2].error;
+  };
+  CHECK(error(of(10, 0, 20), of(10, 0, 20)) == 0);
+  CHECK(error(of(10, 0, 89), of(10, 0, -88)) == Approx(3));  // the same axis but for 3 degrees
+  CHECK(error(of(10, 0, 20), of(9, 0, 20)) == Approx(std::asin(0.13) / 2 * 57.29578).epsilon(1e-6));
+  CHECK(error(of(10, 9, 20), of(8, 9, 70)) == Approx(90));  // nearly the same in all directions
+}
+
+TEST_CASE("errors of results: what is stated near a singular place follows the same place of the other run") {
+  auto own = rests(1, 0.2, 10), other = own;
+  own.stress_near = {{"tip 0", {0, 0}, 0.1, 50}, {"tip 1", {1, 0}, 0.1, 40}, {"corner", {2, 0}, 0.1, 7}};
+  other.stress_near = {{"tip 1", {1, 0}, 0.1, 37}, {"tip 0", {0, 0}, 0.1, 52}};
+  post::set_errors(own, {other, 0.5}, {2, 0.01});
+  CHECK(own.stress_near[0].error.value() == Approx(2));  // twice half the difference, as of the largest stress
+  CHECK(own.stress_near[1].error.value() == Approx(3));
+  CHECK(!own.stress_near[2].error);
 }
 
 TEST_CASE("errors of results: a frequency has at least the relative error of the modes below, no mode has none") {
