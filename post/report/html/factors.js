@@ -132,7 +132,15 @@ function largest_section(list, title) {
     return noise(one) ? null : [names[one.quantity] ?? spaced(one.quantity), with_error(`${list}[${i}].value`, one.estimated_error, factor, 5), name,
       ...(timed ? [value(`${list}[${i}].time`, 5)] : []), [place(one, i), words(one)]];
   });
-  return section(title, table(columns, rows.filter(Boolean), { "data-table": list }));
+  return section(title, table(columns, [...rows.filter(Boolean), ...(list === "extremes" ? stress_near_rows() : [])], { "data-table": list }));
+}
+
+/** Rows of the stress at a distance from places where it has no limit. */
+function stress_near_rows() {
+  return (data.summary.stress_near ?? []).map((one, i) => {
+    const { factor, name } = prefixed("von_mises", [one.von_mises]), at = `stress_near[${i}]`;
+    return [names.von_mises, with_error(`${at}.von_mises`, one.estimated_error, factor, 5), name, ["(", value(`${at}.at_x`, 4), ", ", value(`${at}.at_y`, 4), `), ${shown(one.distance, 3)} from ${one.place} (${shown(one.x, 4)}, ${shown(one.y, 4)})`]];
+  });
 }
 
 /** Tables of a row for each load case: so many columns as fit side by side in each. */

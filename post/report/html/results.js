@@ -187,9 +187,9 @@ const case_section = () => (data.case ? section("The case", note("As it was run,
 
 /** What summary.json has that no section above knows. */
 const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
-  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "probes", "lines", "estimated_error_energy", "reactions", "overlaps", "load_cases", "envelope"]);
+  "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "stress_near", "probes", "lines", "estimated_error_energy", "reactions", "overlaps", "load_cases", "envelope"]);
 
-const titles = { sanity: "Validity of the theory", membrane: "In the plane", stress_near: "Stress near tips, sharp corners, pins and point forces", targets: "Accuracy of results" };
+const titles = { sanity: "Validity of the theory", membrane: "In the plane", targets: "Accuracy of results" };
 
 function other_section() {
   const others = Object.entries(data.summary).filter(([name]) => !known.has(name));

@@ -148,13 +148,17 @@ function panel_plots() {
 
 /** Numbers of papers beside ours and those of other means. */
 function papers_sections() {
-  const rows = [...Array(length_of(csv)).keys()], columns = ["item", "quantity", "published", "ours", "reference", "difference", "reference_is", "claim", "claim_holds", "processor_seconds"].filter(name => csv[name]);
+  const rows = [...Array(length_of(csv)).keys()], seconds_of = csv.processor_seconds;
+  csv.difference = csv.difference.map(x => (typeof x === "number" ? Number(x.toPrecision(2)) : x));
+  csv.paper_says = rows.map(i => (cell_of("claim", i) === null ? null : `${cell_of("claim", i)}: ${cell_of("claim_holds", i) === "yes" ? "holds" : "does not hold"}`));
+  csv.s = seconds_of?.map(x => (typeof x === "number" ? Number(x.toPrecision(2)) : x));
+  const columns_of = some => ["item", "quantity", "published", "ours", "reference", "difference", "reference_is", "paper_says", "s"].filter(name => csv[name] && some.some(i => cell_of(name, i) !== null));
   const kind = i => (cell_of("claim_holds", i) === "no" ? "missed" : null), claims = rows.filter(i => cell_of("claim_holds", i) !== null);
   return [element("header", {}, element("h1", {}, data.title), facts([
     ["Numbers", `${rows.length}`],
     ["Claims of the papers", claims.length ? `${claims.filter(i => cell_of("claim_holds", i) === "yes").length} of ${claims.length} hold` : null],
-  ])), ...[...grouped(rows, i => cell_of("paper", i))].map(([paper, indices]) => section(paper, csv_table(columns, indices.map(k => rows[k]), kind))),
-  note("Difference: ours less the reference over the reference, or ours where that is 0. Processor seconds are those of the example."),
+  ])), ...[...grouped(rows, i => cell_of("paper", i))].map(([paper, indices]) => section(paper, csv_table(columns_of(indices.map(k => rows[k])), indices.map(k => rows[k]), kind))),
+  note("Difference: ours less the reference over the reference, or ours where that is 0. s: seconds of a processor, of the whole example."),
   data.panels.length ? section("Curves", plots(panel_plots()), screen_note("Drag over a plot to zoom, double click to go back.")) : null, links(data.runs ?? [])];
 }
 
