@@ -16,7 +16,7 @@ std::string with_drawing(const std::string& name, const std::string& more = "sca
 }
 
 const std::string plate_in_mm = rectangle("outline", -1000, -1000, 1000, 1000) + circle("holes", 500, 500, 100) +
-                                line("cracks", -300, 0, 300, 0) + arc("cracks", 0, -500, 200, 30, 150);
+                                line("cracks", -300, 0, 300, 0) + dxf_text::arc("cracks", 0, -500, 200, 30, 150);
 
 }  // namespace
 

@@ -31,7 +31,7 @@ std::string problem_of(const std::string& text) {
 
 TEST_CASE("curves of a DXF file", "[drawing]") {
   const auto found = drawing(file(line("A", 0, 0, 3, 4) + line("b", 0, 0, 1, 0) + circle("a", 1, 2, 0.5) +
-                                      arc("a", 0, 0, 2, 350, 10) + "0\nTEXT\n8\na\n1\nnote\n",
+                                      dxf_text::arc("a", 0, 0, 2, 350, 10) + "0\nTEXT\n8\na\n1\nnote\n",
                                   4));
   CHECK(found.problems.empty());
   CHECK(found.unit == 4);

@@ -1,7 +1,7 @@
 #include "cases/input/manual.hpp"
 #include "tests/catch.hpp"
 
-using namespace cases;
+using cases::dotted, cases::steps;
 
 TEST_CASE("a dotted key has its steps, however its indices are written") {
   for (const std::string key : {"load[0].value", "load.0.value", " load [0] . value"}) {
