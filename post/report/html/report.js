@@ -52,11 +52,11 @@ function start() {
     again();
     fit_tables();
   });
-  if (location.hash === "#check") {
-    check_paper();
-    check();
-  }
-  document.documentElement.dataset.state = "drawn";
+  const drawn = () => (document.documentElement.dataset.state = "drawn");
+  if (location.hash !== "#check") return drawn();
+  check_paper();
+  const soon = work => queueMicrotask(() => queueMicrotask(work)); // plots are drawn in microtasks
+  soon(() => (check(), drawn()));
 }
 
 /** For tests: how many cells of tables reach beyond the paper, in data-clipped of the root. */
