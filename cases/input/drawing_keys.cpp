@@ -1,4 +1,7 @@
 #include "cases/input/drawing.hpp"
+
+#include <set>
+
 #include "cases/input/keys.hpp"
 #include "plate/model/problem.hpp"
 
@@ -128,15 +131,11 @@ void note_drawing(const Value& given, const DrawingKeys& keys, const JoinedDrawi
   const auto count = [](std::size_t many, const char* name) {
     return fmt::format("{} {}{}", many, name, many == 1 ? "" : "s");
   };
-  const auto& names = drawing.outline.outer.edge_names;
-  std::vector<std::string> edges;
-  for (const auto& name : names)
-    if (std::ranges::find(edges, name) == edges.end()) edges.push_back(name);
-  auto text =
-      fmt::format("{}: \"{}\", times {:g}, has {}, {} and {}", given.key(), keys.file, scale,
-                  edges.empty() ? "no outline" : "an outline of the edges " + fmt::format("{}", fmt::join(edges, ", ")),
-                  count(drawing.outline.holes.size(), "hole"), count(drawing.cracks.size(), "crack"));
-  if (drawing.off > 0) text += fmt::format("; chords of its curves are up to {:.2g} off", scale * drawing.off);
+  const std::set<std::string> edges(drawing.outline.outer.edge_names.begin(), drawing.outline.outer.edge_names.end());
+  auto text = fmt::format("{}: \"{}\", times {:g}, has {}, {} and {}", given.key(), keys.file, scale,
+                          edges.empty() ? "no outline" : count(edges.size(), "edge"),
+                          count(drawing.outline.holes.size(), "hole"), count(drawing.cracks.size(), "crack"));
+  if (drawing.off > 0) text += fmt::format("; chords of curves are up to {:.2g} off", scale * drawing.off);
   given.reading().found().notes.push_back(text);
 }
 

@@ -251,8 +251,8 @@ Json of_value(const std::string& text) {
   if (begins("a list of") || begins("one name")) return list({{"type", "string"}});
   if (begins("one of")) return {{"enum", quoted_words(text)}};
   if (begins("true or false")) return {{"type", "boolean"}};
-  if (begins("a string") || begins("a CSV file") || begins("an expression") || begins("letters"))
-    return {{"type", "string"}};
+  for (const char* with : {"a string", "a CSV file", "a DXF file", "an expression", "letters", "name of a layer"})
+    if (begins(with)) return {{"type", "string"}};
   if (text.find("table [[") != std::string::npos)
     return {{"anyOf", {{{"enum", quoted_words(text)}}, list(numbers(2))}}};
   if (begins("\"")) return {{"anyOf", {{{"enum", quoted_words(text)}}, of_number(text)}}};

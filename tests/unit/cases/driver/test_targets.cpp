@@ -35,7 +35,7 @@ post::Summary run_case(const std::string& text, const std::vector<std::string>& 
 
 }  // namespace
 
-TEST_CASE("targets: errors over results; of reactions over the largest force, of load cases the worst") {
+TEST_CASE("targets: errors over results, of reactions over the largest force, of load cases the worst") {
   post::Summary summary;
   auto found = cases::targets_of({.deflection = 0.1, .stress = 0.2, .reactions = 0.3, .frequencies = {}});
   REQUIRE(found.targets.size() == 3);

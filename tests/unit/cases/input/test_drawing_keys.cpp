@@ -32,8 +32,7 @@ TEST_CASE("a drawing is the outline, holes and cracks of a case", "[drawing]") {
   CHECK(content.cracks[0] == geometry::Polyline{{-0.3, 0}, {0.3, 0}});
   for (const auto& x : content.cracks[1]) CHECK((x - geometry::Point(0, -0.5)).norm() == Approx(0.2));
   REQUIRE(read.source.notes.size() == 1);
-  CHECK_THAT(read.source.notes[0], Catch::Contains("times 0.001, has an outline of the edges bottom, right, top, left, "
-                                                   "1 hole and 2 cracks"));
+  CHECK_THAT(read.source.notes[0], Catch::Contains("times 0.001, has 4 edges, 1 hole and 2 cracks"));
   // the resolved case has numbers, and reads the same
   const auto resolved = cases::resolved_toml(content);
   CHECK(resolved.find("dxf") == std::string::npos);

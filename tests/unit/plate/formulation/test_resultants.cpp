@@ -56,7 +56,8 @@ TEST_CASE("von Mises of stresses whose squares are beyond double precision") {
   }
 }
 
-TEST_CASE("principal stresses: of a state that is turned, by every angle; opposite faces change their order and sign") {
+TEST_CASE(
+    "principal stresses: of a state that is turned, by every angle, and opposite faces change their order and sign") {
   constexpr double degrees = 180 / 3.14159265358979323846;
   for (const double s1 : {5.0, 0.0, -1.0})
     for (const double s2 : {-1.5, -4.0})

@@ -14,7 +14,7 @@ plate::SparseStiffness two_springs() {
 
 }  // namespace
 
-TEST_CASE("equilibrium: held values and their reactions; the same by multipliers") {
+TEST_CASE("equilibrium: held values and their reactions, the same by multipliers") {
   const Eigen::Vector3d f(0, 0, 4);
   const auto held = bb::constrained_solution(two_springs(), f, {{0, 0.5}});
   CHECK((held.values - Eigen::Vector3d(0.5, 4.5, 6.5)).norm() < 1e-12);

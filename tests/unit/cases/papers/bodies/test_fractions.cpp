@@ -16,7 +16,7 @@ TEST_CASE("fractions: families fill the interval, the disc and the ball, without
   }
 }
 
-TEST_CASE("fractions: a quarter of a disc, an eighth of a ball; fitted shares have the moduli of the continuum") {
+TEST_CASE("fractions: a quarter of a disc, an eighth of a ball, fitted shares have the moduli of the continuum") {
   CHECK(bb::area_in_disc(2, {0, 0}, {5, 5}) == Approx(std::numbers::pi));
   CHECK(bb::volume_in_ball(2, {0, 0, 0}, {5, 5, 5}) == Approx(4 * std::numbers::pi / 3));
   const auto family = bb::fitted(bb::family_of(2, 3), 3, bb::gauss);
