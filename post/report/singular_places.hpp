@@ -23,7 +23,7 @@ struct SingularPlace {
 std::vector<SingularPlace> singular_places(const plate::Formulation& plate);
 
 /// Circles about the singular places of a plate that one process holds, on which the von Mises stress is looked at.
-/// What is nearer than the radius to another singular place is left out, and so are places after the first fifty.
+/// Points nearer than the radius to another singular place are left out, and so are places after the first fifty.
 class StressAround {
 public:
   /// `distance`: the radius [length].
