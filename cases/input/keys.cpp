@@ -59,8 +59,7 @@ const Fields<Case>& case_fields() {
                                 "unit system named in the results"),
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields(), check_section),
       table<Case, plate::Problem>("geometry", Layout::block, plate_of, geometry_fields(), check_geometry_keys),
-      table<Case, plate::CrackFaces>("cracks", Layout::block, &Case::faces, crack_fields())
-          .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic}),
+      table<Case, plate::CrackFaces>("cracks", Layout::block, &Case::faces, crack_fields()),
       table<Case, plate::Discretization>("discretization", Layout::block, &Case::discretization,
                                          discretization_fields()),
       tables<Case, plate::Support>("support", Layout::block, &Case::supports, support_fields()),

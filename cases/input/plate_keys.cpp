@@ -133,7 +133,8 @@ Fields<plate::Problem> geometry_fields() {
 Fields<plate::CrackFaces> crack_fields() {
   using F = plate::CrackFaces;
   return {boolean<F>("contact", &F::contact,
-                     "faces of cracks touch without friction; otherwise they may overlap, and a warning says so")};
+                     "faces of cracks touch without friction; otherwise they may overlap, and a warning says so")
+              .used_in({Analysis::Kind::static_, Analysis::Kind::dynamic})};
 }
 
 void check_geometry_keys(const Value& given, plate::Problem& content) {

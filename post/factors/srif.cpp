@@ -255,15 +255,25 @@ namespace {
 
 using PairOfFactors = std::array<double, 2>;
 
+struct Equivalent {
+  double K;
+  double height;  // over the thickness: 1/2 at the face z > 0
+};
+
 /// A norm: that of the errors bounds what they do to that of the factors. `N`: of K_I, K_II in the plane, which are the
 /// same all over the thickness; where both close the crack they take no energy (theory (70)).
-double equivalent(const std::array<double, 3>& K, const PairOfFactors& N, double poisson) {
-  if (N == PairOfFactors{}) return std::max(std::hypot(K[0], K[1]), std::abs(K[2]) / std::sqrt(1 - poisson));
+Equivalent equivalent(const std::array<double, 3>& K, const PairOfFactors& N, double poisson) {
+  const double shear = std::abs(K[2]) / std::sqrt(1 - poisson);
+  if (N == PairOfFactors{}) {
+    const double bent = std::hypot(K[0], K[1]);
+    return shear > bent ? Equivalent{shear, 0} : Equivalent{bent, K[0] < 0 ? -0.5 : 0.5};
+  }
   constexpr int heights = 200;  // from one face to the other, with the middle
-  double largest = 0;
-  for (int i = 0; i <= heights; ++i) {
+  Equivalent largest{0, 0};
+  for (int i = heights; i >= 0; --i) {
     const double s = 2.0 * i / heights - 1, opening = std::max(0.0, N[0] + s * K[0]), sliding = N[1] + s * K[1];
-    largest = std::max(largest, std::hypot(opening, sliding, (1 - s * s) * K[2] / std::sqrt(1 - poisson)));
+    const double one = std::hypot(opening, sliding, (1 - s * s) * shear);
+    if (one > largest.K) largest = {one, s / 2};
   }
   return largest;
 }
@@ -330,8 +340,10 @@ FaceFactors at_faces(const Srif& srif, const plate::Section& everywhere, std::op
   if (!any || !section.isotropic()) return result;
   const double closed = 6 * std::abs(srif.K1) / h - (srif.membrane ? srif.membrane->N[0] : 0);  // over the opening
   if (srif.resolved[0]) result.overlap = std::max(0.0, 4 * closed * std::sqrt(2 * h) / (section.young * h));
-  result.equivalent = equivalent(K, N, section.poisson);
-  if (known) result.error = equivalent(errors, errors_of_N, section.poisson);
+  const auto most = equivalent(K, N, section.poisson);
+  result.equivalent = most.K;
+  result.height = most.height;
+  if (known) result.error = equivalent(errors, errors_of_N, section.poisson).K;
   if (!toughness) return result;
   result.utilisation = *result.equivalent / *toughness;
   if (known) result.utilisation_error = *result.error / *toughness;

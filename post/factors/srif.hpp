@@ -182,6 +182,7 @@ struct FaceFactors {
   /// Equivalent mode 1 factor: it takes the same energy at the height where that is largest, a face or the middle plane
   /// (theory (70)).
   std::optional<double> equivalent;
+  std::optional<double> height = {};                     // z of `equivalent` over the thickness, -1/2 to 1/2
   std::optional<double> error;                           // estimated, of `equivalent`
   std::optional<double> utilisation, utilisation_error;  // over the toughness, where that is given
   /// Length by which the faces overlap at the closed face of the plate, one thickness behind the tip (theory (76))

@@ -90,6 +90,7 @@ Json json_of(const FaceFactors& faces) {
     json["KIII"] = number(faces.K[2]);
   }
   json["K_eq"] = faces.equivalent ? Json(*faces.equivalent) : Json();
+  add(json, "K_eq_height", faces.height);
   add(json, "estimated_error_K_eq", faces.error);
   add(json, "utilisation", faces.utilisation);
   add(json, "estimated_error_utilisation", faces.utilisation_error);

@@ -159,12 +159,19 @@ void in_plane(Text out, const std::vector<Srif>& srifs, bool si) {
   }
 }
 
+/// Where the equivalent factor acts: a face, the middle plane, or z over the thickness h.
+std::string height_text(const FaceFactors& one) {
+  if (!one.height) return "-";
+  if (*one.height == 0) return "middle";
+  return std::abs(*one.height) == 0.5 ? (*one.height > 0 ? "z>0" : "z<0") : fmt::format("{:+.2f} h", *one.height);
+}
+
 /// The factors at the faces, of recommended methods.
 void faces(Text out, const Summary& summary, bool si) {
   const bool both = std::ranges::any_of(summary.faces, [](const FaceFactors& one) { return one.below.has_value(); });
-  fmt::format_to(out, "at the faces, K_III in the middle plane{}:\n{:>4} {:>13} {:>13}{} {:>13} {:>13}{}\n",
+  fmt::format_to(out, "at the faces, K_III in the middle plane{}:\n{:>4} {:>13} {:>13}{} {:>13} {:>13} {:>7}{}\n",
                  si ? " [Pa m^1/2]" : "", "tip", both ? "K_I, z>0" : "K_I", both ? "K_II, z>0" : "K_II",
-                 both ? fmt::format(" {:>13} {:>13}", "K_I, z<0", "K_II, z<0") : "", "K_III", "K_eq",
+                 both ? fmt::format(" {:>13} {:>13}", "K_I, z<0", "K_II, z<0") : "", "K_III", "K_eq", "at",
                  summary.toughness ? " of toughness" : "");
   for (std::size_t i = 0; i < summary.faces.size(); ++i) {
     const auto tip = summary.srif[i].tip;
@@ -175,9 +182,9 @@ void faces(Text out, const Summary& summary, bool si) {
       return std::abs(*value) < nothing * one.equivalent.value_or(0) ? "0" : fmt::format("{:.5g}", *value);
     };
     const auto below = one.below.value_or(std::array<std::optional<double>, 2>{});
-    fmt::format_to(out, "{:>4} {:>13} {:>13}{} {:>13} {:>13}", tip, text(one.K[0]), text(one.K[1]),
+    fmt::format_to(out, "{:>4} {:>13} {:>13}{} {:>13} {:>13} {:>7}", tip, text(one.K[0]), text(one.K[1]),
                    both ? fmt::format(" {:>13} {:>13}", text(below[0]), text(below[1])) : "", text(one.K[2]),
-                   text(one.equivalent));
+                   text(one.equivalent), height_text(one));
     if (one.utilisation)
       fmt::format_to(out, " {:>8.3g}{}", *one.utilisation,
                      one.utilisation_error ? fmt::format(" +- {:.2g}", *one.utilisation_error) : "");

@@ -170,6 +170,37 @@ TEST_CASE("exit code 2: a wrong case, nothing is written") {
   CHECK(scratch.entries() == 0);
 }
 
+TEST_CASE("exit code 2: what loads in the plane cannot go with has one message") {
+  struct Wrong {
+    std::vector<std::string> settings;
+    std::string message;
+  };
+  const std::string pulled = R"(load=[{kind="edge_traction", edges=["left", "right"], value=1.0}])";
+  const std::vector<Wrong> all{{{pulled}, "support: the plate is not held in its plane"},
+                               {{"analysis.nonlinear=true", R"(analysis.kind="frequencies")"},
+                                "analysis.nonlinear: is used in statics and dynamics only"},
+                               {{"analysis.nonlinear=true", R"(analysis.kind="buckling")", pulled},
+                                "analysis.nonlinear: is used in statics and dynamics only"},
+                               {{"cracks.contact=true", R"(analysis.kind="buckling")", pulled},
+                                "cracks.contact: is used in statics and dynamics only"},
+                               {{"cracks.contact=true", R"(discretization.boundary="surface_nodes")"},
+                                "cracks.contact: the stiffness with surface nodes is not symmetric"},
+                               {{"analysis.nonlinear=true", "growth={fracture_energy=1.0}"},
+                                "growth: the loads at which cracks grow are found for linear plates"}};
+  const TemporaryFolder scratch;
+  for (const auto& [settings, message] : all) {
+    std::vector<std::string> given{"discretization.spacing=0.05"};
+    given.insert(given.end(), settings.begin(), settings.end());
+    const auto ended = run(central_crack(), scratch / "results", given);
+    INFO(message << ": " << ended.output);
+    CHECK(ended.exit_code == 2);
+    std::size_t told = 0;
+    for (auto at = ended.output.find(message); at != std::string::npos; at = ended.output.find(message, at + 1)) ++told;
+    CHECK(told == 1);
+    CHECK_FALSE(fs::exists(scratch / "results"));
+  }
+}
+
 TEST_CASE("exit code 3: not converged, the summary and the last frame are kept") {
   for (const char* method : {"adr", "cg"}) {
     const TemporaryFolder scratch;

@@ -9,6 +9,7 @@ import views
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 WANTED = {"w", "theta", "damage", "cut", "Mxx", "Myy", "Mxy", "Qx", "Qy", "von_mises", "displacement"}
+IN_PLANE = {"Nxx", "Nyy", "Nxy"}
 
 
 def polygon_area(ring):
@@ -38,9 +39,10 @@ def faults(folder):
     for number, time in enumerate(results.times):
         grid = results.grid(time)
         arrays = {grid.GetPointData().GetArrayName(i) for i in range(grid.GetPointData().GetNumberOfArrays())}
-        if not WANTED <= arrays:
-            yield f"frame {number} lacks {WANTED - arrays}"
-        for name in WANTED & arrays:
+        wanted = WANTED | (IN_PLANE if results.case["analysis"].get("nonlinear") else set())
+        if not wanted <= arrays:
+            yield f"frame {number} lacks {wanted - arrays}"
+        for name in wanted & arrays:
             if not numpy.isfinite(vtk_to_numpy(grid.GetPointData().GetArray(name))).all():
                 yield f"frame {number}: {name} is not finite"
         drawn = views.areas(grid).sum()

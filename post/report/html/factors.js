@@ -72,19 +72,26 @@ function faces_table(indices) {
   const both = there.some(i => all[i].faces.KI_top !== undefined), shown_names = both ? ["KI_top", "KI_bottom", "KII_top", "KII_bottom", "KIII", "K_eq"] : ["K_I", "K_II", "K_III", "K_eq"];
   const { factor, name: face } = prefixed("face", there.flatMap(i => shown_names.map(name => all[i].faces[name])));
   const title_of = name => ["K", element("sub", {}, name.replace("K_", "").replace(/^K/, "").split("_")[0]), name.endsWith("top") ? ", z > 0" : name.endsWith("bottom") ? ", z < 0" : ""];
-  const columns = [{ title: "tip" }, ...shown_names.map(name => ({ title: title_of(name), unit: face })), ...(used ? [{ title: "utilisation" }] : [])];
+  const columns = [{ title: "tip" }, ...shown_names.map(name => ({ title: title_of(name), unit: face })), { title: "at" }, ...(used ? [{ title: "utilisation" }] : [])];
   const rows = there.map(i => {
     const { faces } = all[i], path = `srif[${i}].faces`, size = largest(shown_names.map(name => faces[name]));
     const none = name => faces[name] === null || faces[name] === undefined;
     const known = faces.estimated_error_K_eq / factor; // none of the others is known better
     const cell = name => (none(name) ? "not resolved" : Math.abs(faces[name]) < 1e-6 * size ? "0" : value(`${path}.${name}`, 4, measured(faces[name] / factor, known, 4), factor, faces.estimated_error_K_eq));
-    return [value(`srif[${i}].tip`), ...shown_names.slice(0, -1).map(cell), none("K_eq") ? "not resolved" : with_error(`${path}.K_eq`, faces.estimated_error_K_eq, factor, 4),
+    return [value(`srif[${i}].tip`), ...shown_names.slice(0, -1).map(cell), none("K_eq") ? "not resolved" : with_error(`${path}.K_eq`, faces.estimated_error_K_eq, factor, 4), height_of(faces.K_eq_height),
       ...(used ? [utilisation_cell(path, faces)] : [])];
   });
   const { toughness } = data.summary;
   return [element("h3", {}, "Stress intensity at the faces"), table(columns, rows, { "data-table": "faces" }),
     note(both ? "III in the middle plane. eq:" : "I and II at the face z > 0, with the other sign at z < 0; III in the middle plane. eq:", " of mode 1, with the same energy at the height where that is most.",
       toughness ? [" Utilisation: this over the toughness ", value("toughness", 4, null, factor), face ? ` ${face}` : "", "."] : "")];
+}
+
+/** Where the equivalent factor acts: a face, the middle plane, or z over the thickness h. */
+function height_of(share) {
+  if (typeof share !== "number") return "–";
+  if (share === 0) return "middle";
+  return Math.abs(share) === 0.5 ? (share > 0 ? "z > 0" : "z < 0") : `z = ${share.toFixed(2)} h`;
 }
 
 /** The share of the toughness that is taken; red from 1 on. */
