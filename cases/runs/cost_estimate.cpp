@@ -15,6 +15,7 @@
 #include "plate/model/numerical_method.hpp"
 #include "plate/solve/motion/time_grid.hpp"
 #include "post/factors/plate_factors.hpp"
+#include "post/report/conclusion.hpp"
 
 namespace cases {
 namespace {
@@ -199,6 +200,10 @@ RunEstimate estimate_cost(const Case& c, const RunSample& run) {
   result.points = whole.points = post::total_points(*found), result.bonds = post::total_bonds(*found);
   result.sample_points = std::size_t(found->large.points());
   result.multipliers = found->large.summary.multipliers;
+  if (!c.unilateral() && !c.pushed() && !c.growth) {  // samples are without what lifts off
+    result.linear_theory_off = found->large.summary.linear_theory_off;
+    result.deflection_over_thickness = found->large.summary.deflection_over_thickness;
+  }
   whole.rings = rings_of(c, 1);
   whole.frames = found->large.frames;
   if (!moves) whole.iterations_order = result.solver.iterations, whole.seconds_order = result.solver.seconds;
@@ -252,11 +257,18 @@ std::string of_multipliers(const RunEstimate& run) {
       *run.multipliers, run.sample_points);
 }
 
+std::string of_linear_theory(const RunEstimate& run) {
+  const auto said = post::error_of_linear_theory(run.linear_theory_off);
+  if (said.empty()) return "";
+  return fmt::format("linearity     {}; the largest is {:.2g} x thickness with {} points\n", said,
+                     run.deflection_over_thickness.value_or(0), run.sample_points);
+}
+
 }  // namespace
 
 std::string to_text(const RunEstimate& run, const Case& c) {
   return fmt::format("points        {:.0f}\nbonds         {:.0f}\n", run.points, run.bonds) + of_solution(run, c) +
-         of_multipliers(run) + of_time(run);
+         of_multipliers(run) + of_linear_theory(run) + of_time(run);
 }
 
 namespace {

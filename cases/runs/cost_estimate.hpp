@@ -22,6 +22,8 @@ struct RunEstimate {
   double bytes = 0;                        // of memory at its peak
   std::size_t sample_points = 0;           // of the larger sample
   std::optional<double> multipliers = {};  // of that sample (Formulation::multipliers)
+  // of that sample in statics: Summary::linear_theory_off and deflection_over_thickness
+  std::optional<double> linear_theory_off = {}, deflection_over_thickness = {};
 };
 
 /// Memory per point [bytes] of the points, cells and loads of a Galerkin plate beside its weights, while it is made;

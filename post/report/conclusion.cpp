@@ -167,9 +167,9 @@ void describe(Summary::Analysis& analysis, const std::string& method, const plat
   analysis.stop_reason = solution.stop_reason;
 }
 
-std::string error_of_linear_theory(const Summary& summary) {
+std::string error_of_linear_theory(std::optional<double> estimated) {
   constexpr double told = 0.05;
-  const double off = summary.linear_theory_off.value_or(0);
+  const double off = estimated.value_or(0);
   if (std::abs(off) < told) return "";
   return fmt::format("linear theory {} deflections by about {:.0f} %", off > 0 ? "overstates" : "understates",
                      100 * std::abs(off));
@@ -184,7 +184,7 @@ void conclude(Summary& summary, Found found) {
   if (const auto w = largest_deflection(found.history)) {
     summary.deflection_over_thickness = *w / found.section.thickness;
     if (summary.linear_theory_off) {
-      if (const auto said = error_of_linear_theory(summary); found.si && !said.empty())
+      if (const auto said = error_of_linear_theory(summary.linear_theory_off); found.si && !said.empty())
         summary.warnings.push_back(said + (found.may_stretch ? "; set `nonlinear` = true" : "; set smaller loads"));
     } else if (found.si && !found.stretches && *summary.deflection_over_thickness > small_deflection) {
       summary.warnings.push_back(fmt::format(

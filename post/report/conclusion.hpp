@@ -75,8 +75,8 @@ private:
 void describe(Summary::Analysis& analysis, const std::string& method, const plate::StaticSolution& solution,
               double tolerance);
 
-/// Says how far linear theory is off, where the summary has an estimate that matters; empty otherwise.
-std::string error_of_linear_theory(const Summary& summary);
+/// Says how far linear theory is off, where the estimate (Summary::linear_theory_off) matters; empty otherwise.
+std::string error_of_linear_theory(std::optional<double> estimated);
 
 /// Results of a run.
 struct Found {

@@ -449,7 +449,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
   if (!summary.resonances.empty()) fmt::format_to(out, "resonances: {:.6g}\n", fmt::join(summary.resonances, ", "));
   if (summary.growth) growth(out, *summary.growth);
   if (summary.linear_theory_off) {
-    if (const auto said = error_of_linear_theory(summary); !si && !said.empty()) text += said + '\n';
+    if (const auto said = error_of_linear_theory(summary.linear_theory_off); !si && !said.empty()) text += said + '\n';
   } else if (const auto share = summary.deflection_over_thickness;
              share && !si && summary.load_steps.rows.empty() && *share > small_deflection) {
     fmt::format_to(

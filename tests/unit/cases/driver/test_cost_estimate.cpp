@@ -1,5 +1,7 @@
 #include "cases/driver/cost_samples.hpp"
 
+#include <fmt/format.h>
+
 #include "cases/driver/run.hpp"
 #include "plate/model/process.hpp"
 #include "tests/unit/cases/case_text.hpp"
@@ -31,6 +33,27 @@ TEST_CASE("check foretells points, bonds, iterations and files of a run", "[fore
     CHECK(told.costs.total() > 0.1 * found.seconds.back().second);
     CHECK(told.costs.total() < 10 * found.seconds.back().second);
   }
+}
+
+TEST_CASE("check tells how far linear theory is off as the run does, within a factor of 2", "[foretell]") {
+  for (const char* way : {"ordinary", "galerkin"})
+    for (const double pressure : {0.1, 0.3}) {
+      INFO(way << ", pressure " << pressure);
+      const auto file = case_text::read(
+          small_plate,
+          {"discretization.spacing=0.02", fmt::format("discretization.formulation={}", way),
+           fmt::format("load[0].value={}", pressure),
+           R"(support=[{kind="simply_supported", in_plane="fixed", edges=["left", "right", "top", "bottom"]}])"});
+      const auto told = cases::estimate_cost(file);
+      const small_run::TemporaryFolder scratch;
+      const auto found = cases::run(file, {scratch / "run", true});
+      REQUIRE(told.linear_theory_off);
+      REQUIRE(found.linear_theory_off);
+      CHECK(*found.linear_theory_off > 0.1);
+      CHECK(*told.linear_theory_off > *found.linear_theory_off / 2);
+      CHECK(*told.linear_theory_off < *found.linear_theory_off * 2);
+      CHECK_THAT(cases::to_text(told, file.content), Catch::Contains("linear theory overstates deflections by about"));
+    }
 }
 
 TEST_CASE("check tells the steps of a motion", "[foretell]") {

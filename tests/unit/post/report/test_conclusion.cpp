@@ -58,7 +58,7 @@ TEST_CASE("conclusion: an estimate of the error of linear theory takes the place
       post::Summary summary;
       summary.linear_theory_off = off;
       post::conclude(summary, {concluded_section, none, si, history, {}, {}});
-      CHECK(post::error_of_linear_theory(summary) == words);
+      CHECK(post::error_of_linear_theory(summary.linear_theory_off) == words);
       CHECK(summary.warnings == (si && !words.empty() ? std::vector<std::string>{words + "; set `nonlinear` = true"}
                                                       : std::vector<std::string>()));
     }
