@@ -301,7 +301,6 @@ const std::vector<Exclusion> excluded_pairs{
      "contact is found between faces that nothing ties: remove it, or spring[].cracks"},
     {part_through, varied_section, "spring[].depth",
      "the springs of such cracks are known for one isotropic material: remove it, or what makes the section vary"},
-    {touching_in_motion, processes, "cracks.contact", by_one_process("contact of faces in motion cannot be found")},
     {buckling, unilateral_foundation, "foundation",
      "a plate that may lift off has no loads at which it buckles at once: remove lifts_off"},
     {load_cases, buckling, "case", equilibria},

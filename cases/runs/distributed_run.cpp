@@ -57,11 +57,12 @@ std::vector<KeyError> errors_in_distribution(const Case& c, int processes) {
     if (asked) result.push_back({key, why + " yet by several processes: run it by one (pdplate)"});
   };
   constexpr double most_factorised = 1e6;  // points; MUMPS takes no more (plate/distributed)
+  const bool rests = !c.moves() || c.analysis.start == plate::Analysis::Start::equilibrium;
   refuse(c.stretches_at_first() && 2 * expected_points(c) > most_factorised, "analysis.nonlinear",
          "large deflections of so many points cannot be found");
-  refuse(c.coupled() && !c.moves() && 2 * expected_points(c) > most_factorised, "section",
+  refuse(c.coupled() && rests && 2 * expected_points(c) > most_factorised, "section",
          "coupled bending and stretching of so many points cannot be found");
-  refuse(c.faces_touch() && expected_points(c) > most_factorised, "cracks.contact",
+  refuse(c.faces_touch() && rests && expected_points(c) > most_factorised, "cracks.contact",
          "contact of faces of so many points cannot be found");
   refuse(c.analysis.method == plate::Analysis::Method::direct && expected_points(c) > most_factorised,
          "analysis.method", "\"direct\" of so many points cannot be run");

@@ -460,8 +460,8 @@ std::vector<std::string> warnings_about_rotations(double largest) {
 }
 
 bool may_touch(const Case& c, const plate::Formulation& plate) {
-  return !c.coupled() && !(plate.distributed() && c.moves()) && c.analysis.control == plate::LoadControl::load &&
-         (!c.growth || c.grows_at_rest()) && plate.offers(plate::Feature::touching_faces);
+  return !c.coupled() && c.analysis.control == plate::LoadControl::load && (!c.growth || c.grows_at_rest()) &&
+         plate.offers(plate::Feature::touching_faces);
 }
 
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch) {

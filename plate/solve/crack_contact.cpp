@@ -24,6 +24,15 @@ double largest_motion(const Formulation& plate, const State& state) {
   return largest_of(plate, result);
 }
 
+/// Lever of the forces at the faces of the plate about its middle plane: half the thickness, where two thicknesses meet
+/// half the smaller one [length]. Infinite on ranks that own no point of the pair.
+double lever_of(const FacePair& pair, const PointSections& sections) {
+  double result = INFINITY;
+  for (const auto* side : {&pair.left, &pair.right})
+    for (const auto& share : *side) result = std::min(result, sections[share.point].thickness);
+  return result / 2;
+}
+
 }  // namespace
 
 Eigen::MatrixXd sum_of_ranks(const Formulation& plate, const Eigen::MatrixXd& own) {
@@ -74,13 +83,6 @@ double TouchingFaces::closed_share() const {
   for (const auto& one : faces)
     if (one.force_top > 0 || one.force_bottom > 0) closed += one.length;
   return faces.empty() ? 0 : closed / length();
-}
-
-double lever_of(const FacePair& pair, const PointSections& sections) {
-  double result = INFINITY;
-  for (const auto* side : {&pair.left, &pair.right})
-    for (const auto& share : *side) result = std::min(result, sections[share.point].thickness);
-  return result / 2;
 }
 
 FaceRows::FaceRows(const Formulation& plate)

@@ -35,10 +35,6 @@ struct TouchingFaces {
   double closed_share() const;  // of the length of the cracks, at one face of the plate or at both
 };
 
-/// Lever of the forces at the faces of the plate about its middle plane: half the thickness, where two thicknesses meet
-/// half the smaller one [length]. Infinite on ranks that own no point of the pair.
-double lever_of(const FacePair& pair, const PointSections& sections);
-
 /// Equilibria of a plate and of the same plate in its plane without contact.
 struct FreeFaces {
   const State &bending, &membrane;

@@ -155,8 +155,8 @@ struct DynamicOptions {
   std::function<void(const MotionCheckpoint&)> save = {};
   /// Strain energy of a state of a plate whose forces are not linear in it; absent: half their work.
   std::function<double(const State&)> strain_energy = {};
-  /// Faces of cracks, which do not overlap; in double precision and by one process only.
-  std::vector<MovingPair> faces = {};
+  /// Faces of cracks, which do not overlap; in double precision only.
+  MovingPairs faces = {};
 };
 
 /// Central differences (Dai 21-23) from rest, undeformed or not, started with half a step's acceleration: u(dt) = a

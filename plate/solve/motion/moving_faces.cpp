@@ -1,14 +1,20 @@
 #include "plate/solve/motion/moving_faces.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <set>
+#include <stdexcept>
 
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/model/nodal_forces.hpp"
+#include "plate/model/reduction.hpp"
+#include "plate/solve/crack_contact.hpp"
 
 namespace plate {
 namespace {
@@ -29,38 +35,88 @@ AtFaces complementary(const std::array<double, 3>& W, const AtFaces& g) {
           std::max(0.0, (beside * g[0] - a * g[1]) / determinant)};
 }
 
-/// Shares of free degrees of freedom in the sum of `terms`.
-std::map<Dof, AtFaces> folded(const std::vector<MovingPair::Term>& terms, const Constraints& constraints) {
-  std::map<Dof, AtFaces> result;
-  const auto add = [&](const Dof& dof, double factor, const AtFaces& shares) {
-    auto& sum = result[dof];
-    for (std::size_t face = 0; face < sum.size(); ++face) sum[face] += factor * shares[face];
-  };
+using Shares = std::map<Dof, AtFaces>;  // in the openings of a pair
+
+void add(Shares& sum, const Dof& dof, double factor, const AtFaces& shares) {
+  auto& at = sum[dof];
+  for (std::size_t face = 0; face < at.size(); ++face) at[face] += factor * shares[face];
+}
+
+/// Shares of the points of a rank.
+Shares shares_of(const FacePair& pair, double arm, std::size_t points) {
+  Shares result;
+  const auto plane = std::uint32_t(points);
+  for (const auto& [side, sign] : {std::pair(&pair.left, 1.0), std::pair(&pair.right, -1.0)})
+    for (const auto& [point, weight] : *side) {
+      const double x = sign * weight * pair.normal.x(), y = -sign * weight * pair.normal.y();
+      add(result, dof(plane + point, 2), 1, {x, x});
+      add(result, dof(plane + point, 1), 1, {y, y});
+      add(result, dof(point, 2), arm, {x, -x});
+      add(result, dof(point, 1), arm, {y, -y});
+    }
+  return result;
+}
+
+/// Shares of free degrees of freedom in the same openings.
+Shares folded(const Shares& shares, const Constraints& constraints) {
+  Shares result;
   const auto& ties = constraints.ties();
-  for (const auto& [dof, shares] : terms) {
-    if (!constraints.held(dof)) add(dof, 1, shares);
+  for (const auto& [dof, of_dof] : shares) {
+    if (!constraints.held(dof)) add(result, dof, 1, of_dof);
     for (const auto& tie : std::ranges::equal_range(ties, dof, {}, &Constraints::Tie::follower))
-      add(tie.leader, tie.factor, shares);
+      add(result, tie.leader, tie.factor, of_dof);
   }
   return result;
 }
 
+/// Degree of freedom in an order that all numbers of ranks share: point, or row and column of its cell; component, in
+/// the plane three more.
+using Key = std::array<std::int64_t, 3>;
+
+/// Share of a degree of freedom in the openings of a pair, as ranks tell each other.
+struct ToldShare {
+  std::int64_t pair, pushes;  // pushes: 1 of what is free, else 0
+  Key key;
+  AtFaces shares;
+  double inverse_mass;  // of what is free
+};
+
+/// Keys of the degrees of freedom of a plate and its plane.
+class Keys {
+public:
+  explicit Keys(const Formulation& plate) : points_(plate.points()), boundary_(plate.boundary()) {}
+  bool owns(const Dof& dof) const { return boundary_.owns(dof.point % points_); }
+  Key operator()(const Dof& dof) const {
+    const auto k = dof.point % points_;
+    const auto component = std::int64_t(dof.component) + (dof.point < points_ ? 0 : unknowns_per_point);
+    const auto& [map, lattice] = std::tie(boundary_.map, boundary_.lattice);
+    if (!map.distributed()) return {std::int64_t(k), 0, component};
+    if (!map.global.empty()) return {map.global[k], 0, component};
+    const auto [column, row] = geometry::cell_of(lattice[k]);
+    return {row, column, component};
+  }
+
+private:
+  std::size_t points_;
+  const Boundary& boundary_;
+};
+
 /// Groups of these pairs, joined by degrees of freedom that they push.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<std::size_t>& shared,
-                                                const std::vector<std::vector<std::size_t>>& pushed) {
+                                                const std::vector<MovingPair>& pairs) {
   std::vector<std::vector<std::size_t>> result;
-  std::map<std::size_t, std::size_t> group_of;  // of what is pushed
+  std::map<std::uint32_t, std::size_t> group_of;  // of what is pushed
   for (const auto pair : shared) {
     std::vector<std::size_t> joined{pair};
     std::set<std::size_t> met;
-    for (const auto number : pushed[pair])
-      if (const auto found = group_of.find(number); found != group_of.end()) met.insert(found->second);
+    for (const auto& push : pairs[pair].pushes)
+      if (const auto found = group_of.find(push.number); found != group_of.end()) met.insert(found->second);
     for (const auto group : met) {
       joined.insert(joined.end(), result[group].begin(), result[group].end());
       result[group].clear();
     }
     for (const auto one : joined)
-      for (const auto number : pushed[one]) group_of[number] = result.size();
+      for (const auto& push : pairs[one].pushes) group_of[push.number] = result.size();
     std::ranges::sort(joined);
     result.push_back(std::move(joined));
   }
@@ -70,48 +126,83 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<std::size_t>& 
 
 }  // namespace
 
-MovingPair moving_pair(const FacePair& pair, double arm, std::size_t points, const Constraints& constraints,
-                       const Forces& mass) {
-  MovingPair result;
-  const auto plane = std::uint32_t(points);
-  for (const auto& [side, sign] : {std::pair(&pair.left, 1.0), std::pair(&pair.right, -1.0)})
-    for (const auto& [point, weight] : *side) {
-      const double x = sign * weight * pair.normal.x(), y = -sign * weight * pair.normal.y();
-      result.terms.push_back({dof(plane + point, 2), {x, x}});
-      result.terms.push_back({dof(plane + point, 1), {y, y}});
-      result.terms.push_back({dof(point, 2), {arm * x, -arm * x}});
-      result.terms.push_back({dof(point, 1), {arm * y, -arm * y}});
-    }
-  for (const auto& [dof, shares] : folded(result.terms, constraints))
-    if (const double m = at_dof(mass, dof); m > 0) result.pushes.push_back({dof, 1 / m, shares});
+MovingPairs moving_pairs(const FaceRows& rows, const Formulation& plate, const Constraints& constraints,
+                         const Forces& mass) {
+  const Keys key_of(plate);
+  std::map<Key, Dof> here;
+  std::vector<ToldShare> told;
+  const auto tell = [&](std::size_t pair, bool pushes, const Dof& dof, const AtFaces& shares, double inverse_mass) {
+    if (!key_of.owns(dof)) throw std::logic_error("a point on a crack follows one of another rank");
+    const auto key = key_of(dof);
+    here.emplace(key, dof), told.push_back({std::int64_t(pair), pushes, key, shares, inverse_mass});
+  };
+  for (std::size_t i = 0; i < rows.pairs().size(); ++i) {
+    const auto shares = shares_of(rows.pairs()[i], rows.arms()[Eigen::Index(i)], plate.points());
+    for (const auto& [dof, of_dof] : shares) tell(i, false, dof, of_dof, 0);
+    for (const auto& [dof, of_dof] : folded(shares, constraints))
+      if (const double m = at_dof(mass, dof); m > 0) tell(i, true, dof, of_dof, 1 / m);
+  }
+  if (plate.distributed()) told = gathered(plate, told);
+  std::ranges::sort(told, {}, [](const ToldShare& one) { return std::tie(one.pair, one.pushes, one.key); });
+
+  std::map<Key, std::uint32_t> numbers;
+  for (const auto& one : told) numbers.emplace(one.key, 0);
+  MovingPairs result{std::vector<MovingPair>(rows.pairs().size()), {}, &plate.communicator()};
+  for (auto& [key, number] : numbers) {
+    number = std::uint32_t(result.dofs.size());
+    const auto found = here.find(key);
+    result.dofs.push_back(found == here.end() ? std::nullopt : std::optional(found->second));
+  }
+  for (const auto& [pair, pushes, key, shares, inverse_mass] : told) {
+    auto& of_pair = result.pairs[std::size_t(pair)];
+    if (pushes)
+      of_pair.pushes.push_back({numbers[key], inverse_mass, shares});
+    else
+      of_pair.terms.push_back({numbers[key], shares});
+  }
   return result;
 }
 
-MovingFaces::MovingFaces(std::vector<MovingPair> pairs, ContactMemory memory)
-    : pairs_(std::move(pairs)), contacts_(pairs_.size()), memory_(std::move(memory)) {
-  std::map<Dof, std::vector<std::size_t>> pairs_of;
-  for (std::size_t i = 0; i < pairs_.size(); ++i)
-    for (const auto& push : pairs_[i].pushes) pairs_of[push.dof].push_back(i);
-  std::map<Dof, std::size_t> numbers;
-  for (const auto& [dof, of] : pairs_of) {
-    numbers[dof] = pushed_.size(), pushed_.push_back(dof);
+MovingFaces::MovingFaces(MovingPairs faces, ContactMemory memory)
+    : faces_(std::move(faces)), contacts_(faces_.pairs.size()), memory_(std::move(memory)) {
+  std::map<std::uint32_t, std::vector<std::size_t>> pairs_of;
+  for (std::size_t i = 0; i < contacts_.size(); ++i)
+    for (const auto& push : faces_.pairs[i].pushes) pairs_of[push.number].push_back(i);
+  for (const auto& [number, of] : pairs_of) {
+    pushed_.push_back(number);
     if (of.size() > 1) shared_.insert(shared_.end(), of.begin(), of.end());
   }
   std::ranges::sort(shared_);
   shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
-  for (const auto& pair : pairs_) {
-    auto& of_pair = number_.emplace_back();
-    for (const auto& push : pair.pushes) of_pair.push_back(numbers[push.dof]);
-  }
-  groups_ = groups_of(shared_, number_);
-  change_.resize(pushed_.size());
-  memory_.held.resize(2 * pairs_.size()), memory_.closed.resize(2 * pairs_.size());
+  groups_ = groups_of(shared_, faces_.pairs);
+  memory_.held.resize(2 * contacts_.size()), memory_.closed.resize(2 * contacts_.size());
+}
+
+/// Takes what moves at a step from the ranks that own it: each number is theirs, all others add nothing to its bits.
+void MovingFaces::read(const FreeStep& step) {
+  const auto count = faces_.dofs.size();
+  for (auto* values : {&displacement_, &velocity_, &change_}) values->assign(count, 0);
+  for (std::size_t n = 0; n < count; ++n)
+    if (const auto& dof = faces_.dofs[n]) displacement_[n] = at_dof(step.state, *dof);
+  for (const auto n : pushed_)
+    if (const auto& dof = faces_.dofs[n]) {
+      velocity_[n] = at_dof(step.velocity, *dof);
+      change_[n] = step.time_step * (velocity_[n] + step.share * step.acceleration(*dof));
+    }
+  if (!faces_.communicator->distributed()) return;
+  std::vector<std::int64_t> bits;
+  for (const auto* values : {&displacement_, &velocity_, &change_})
+    for (const double value : *values) bits.push_back(std::bit_cast<std::int64_t>(value));
+  faces_.communicator->sum(bits);
+  auto next = bits.begin();
+  for (auto* values : {&displacement_, &velocity_, &change_})
+    for (double& value : *values) value = std::bit_cast<double>(*next++);
 }
 
 /// Openings of both faces of a pair over a step by unit forces: top by top, top by bottom, bottom by bottom.
 std::array<double, 3> MovingFaces::compliance(std::size_t pair) const {
   std::array<double, 3> result{};
-  for (const auto& [dof, inverse_mass, shares] : pairs_[pair].pushes) {
+  for (const auto& [number, inverse_mass, shares] : faces_.pairs[pair].pushes) {
     const double mobility = response_ * inverse_mass;
     result[0] += mobility * shares[0] * shares[0];
     result[1] += mobility * shares[0] * shares[1];
@@ -123,20 +214,17 @@ std::array<double, 3> MovingFaces::compliance(std::size_t pair) const {
 /// Openings of a pair at the next step, or at the one before.
 AtFaces MovingFaces::opening(std::size_t pair, const FreeStep& step, bool next) const {
   auto result = contacts_[pair].opening;
-  for (std::size_t i = 0; i < number_[pair].size(); ++i) {
-    const auto& push = pairs_[pair].pushes[i];
-    const double change = next ? change_[number_[pair][i]] : -step.time_step * at_dof(step.velocity, push.dof);
-    for (std::size_t face = 0; face < result.size(); ++face) result[face] += push.shares[face] * change;
+  for (const auto& [number, inverse_mass, shares] : faces_.pairs[pair].pushes) {
+    const double change = next ? change_[number] : -step.time_step * velocity_[number];
+    for (std::size_t face = 0; face < result.size(); ++face) result[face] += shares[face] * change;
   }
   return result;
 }
 
 /// Adds to the forces of a pair.
 void MovingFaces::push(std::size_t pair, const AtFaces& force) {
-  for (std::size_t i = 0; i < number_[pair].size(); ++i) {
-    const auto& [dof, inverse_mass, shares] = pairs_[pair].pushes[i];
-    change_[number_[pair][i]] += response_ * inverse_mass * (shares[0] * force[0] + shares[1] * force[1]);
-  }
+  for (const auto& [number, inverse_mass, shares] : faces_.pairs[pair].pushes)
+    change_[number] += response_ * inverse_mass * (shares[0] * force[0] + shares[1] * force[1]);
   for (std::size_t face = 0; face < force.size(); ++face) contacts_[pair].force[face] += force[face];
 }
 
@@ -146,9 +234,8 @@ bool MovingFaces::solve(std::size_t pair) {
   const auto force = contacts_[pair].force;
   const auto W = compliance(pair);
   AtFaces free = contacts_[pair].opening;
-  for (std::size_t i = 0; i < number_[pair].size(); ++i)
-    for (std::size_t face = 0; face < free.size(); ++face)
-      free[face] += pairs_[pair].pushes[i].shares[face] * change_[number_[pair][i]];
+  for (const auto& [number, inverse_mass, shares] : faces_.pairs[pair].pushes)
+    for (std::size_t face = 0; face < free.size(); ++face) free[face] += shares[face] * change_[number];
   free[0] -= W[0] * force[0] + W[1] * force[1], free[1] -= W[1] * force[0] + W[2] * force[1];
   for (double& one : free)
     if (one > -rounding * size_) one = std::max(one, 0.0);
@@ -282,27 +369,28 @@ void MovingFaces::press_along(const std::vector<std::size_t>& group, const std::
   }
 }
 
-void MovingFaces::press(const FreeStep& step, Forces& forces) {
-  response_ = step.time_step * step.share / step.drag;
-  for (std::size_t i = 0; i < pushed_.size(); ++i)
-    change_[i] = step.time_step * (at_dof(step.velocity, pushed_[i]) + step.share * step.acceleration(pushed_[i]));
+/// Finds the openings of the step, and the size of displacements of faces.
+void MovingFaces::find_openings() {
   size_ = 0;
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+  for (std::size_t pair = 0; pair < contacts_.size(); ++pair) {
     auto& opening = (contacts_[pair] = {}).opening;
-    for (const auto& [dof, shares] : pairs_[pair].terms) {
-      const double value = at_dof(step.state, dof);
+    for (const auto& [number, shares] : faces_.pairs[pair].terms) {
+      const double value = displacement_[number];
       for (std::size_t face = 0; face < shares.size(); ++face) opening[face] += shares[face] * value;
       size_ = std::max(size_, std::abs(shares[0] * value));
     }
+    for (const auto& [number, inverse_mass, shares] : faces_.pairs[pair].pushes)
+      size_ = std::max(size_, std::abs(shares[0] * change_[number]));
     memory_.so_far.least_opening = std::min({memory_.so_far.least_opening, opening[0], opening[1]});
   }
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-    for (std::size_t i = 0; i < number_[pair].size(); ++i)
-      size_ = std::max(size_, std::abs(pairs_[pair].pushes[i].shares[0] * change_[number_[pair][i]]));
-  }
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) solve(pair);
+}
+
+void MovingFaces::press(const FreeStep& step, Forces& forces) {
+  response_ = step.time_step * step.share / step.drag;
+  read(step), find_openings();
+  for (std::size_t pair = 0; pair < contacts_.size(); ++pair) solve(pair);
   for (const auto& group : groups_) settle(group);
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair)
+  for (std::size_t pair = 0; pair < contacts_.size(); ++pair)
     if (!std::ranges::binary_search(shared_, pair)) give_back(pair, step);
   for (const auto& group : groups_) give_back_together(group, step);
   add_forces(step, forces);
@@ -311,17 +399,15 @@ void MovingFaces::press(const FreeStep& step, Forces& forces) {
 /// Adds the forces to folded ones, and finds what they take of the energy.
 void MovingFaces::add_forces(const FreeStep& step, Forces& forces) {
   lost_before_ = lost_after_ = 0;
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
+  for (std::size_t pair = 0; pair < contacts_.size(); ++pair) {
     const auto& force = contacts_[pair].force;
     if (force[0] == 0 && force[1] == 0) continue;
-    const auto& pushes = pairs_[pair].pushes;
-    for (std::size_t i = 0; i < pushes.size(); ++i) {
-      const auto& [dof, inverse_mass, shares] = pushes[i];
+    for (const auto& [number, inverse_mass, shares] : faces_.pairs[pair].pushes) {
       const double push = shares[0] * force[0] + shares[1] * force[1];
-      at_dof(forces, dof) += push;
-      const double change = change_[number_[pair][i]], before = step.time_step * at_dof(step.velocity, dof);
-      lost_before_ += step.first ? push * (change - before) / 4 : -push * before / 2;
-      lost_after_ -= push * change / 2;
+      if (const auto& dof = faces_.dofs[number]) at_dof(forces, *dof) += push;
+      const double before = step.time_step * velocity_[number];
+      lost_before_ += step.first ? push * (change_[number] - before) / 4 : -push * before / 2;
+      lost_after_ -= push * change_[number] / 2;
     }
   }
 }

@@ -2,28 +2,32 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "plate/model/point_map.hpp"
 #include "plate/model/space.hpp"
 #include "plate/model/state.hpp"
 
 namespace plate {
 
 class Constraints;
-struct FacePair;
+class FaceRows;
+class Formulation;
 
 using AtFaces = std::array<double, 2>;  // at z = h/2, z = -h/2
 
 /// Two points that face each other on a crack, in a motion. Openings are sums over degrees of freedom; forces that
-/// press both points apart push those that are free.
+/// press both points apart push those that are free. Numbers are those of MovingPairs::dofs.
 struct MovingPair {
   struct Term {
-    Dof dof;
+    std::uint32_t number;
     AtFaces shares;
   };
   struct Push {
-    Dof dof;
+    std::uint32_t number;
     double inverse_mass;
     AtFaces shares;
   };
@@ -31,10 +35,17 @@ struct MovingPair {
   std::vector<Push> pushes;  // folded
 };
 
-/// Pair of a plate and its plane, whose states are stacked(): the points of the plane follow those of the plate. `arm`:
-/// half the thickness. `mass`: folded.
-MovingPair moving_pair(const FacePair& pair, double arm, std::size_t points, const Constraints& constraints,
-                       const Forces& mass);
+/// Pairs on all cracks of a plate. Every rank has all of them, in the same order.
+struct MovingPairs {
+  std::vector<MovingPair> pairs;
+  std::vector<std::optional<Dof>> dofs;  // absent where another rank owns the point
+  const Communicator* communicator = &single_process();
+};
+
+/// Pairs of a plate and its plane, whose states are stacked(): the points of the plane follow those of the plate.
+/// `mass`: folded. Collective.
+MovingPairs moving_pairs(const FaceRows& rows, const Formulation& plate, const Constraints& constraints,
+                         const Forces& mass);
 
 /// Opening of a pair at a step, and the force that keeps it from being negative at the next one [length, force].
 struct PairContact {
@@ -57,13 +68,13 @@ struct ContactMemory {
 /// Faces of cracks that do not overlap in time steps, without friction: the forces of a step are not negative, no
 /// opening is negative at the next one, and one of both is zero.
 /// Pairs, and groups of pairs that share points, hold the energy that they lose as they meet until they open, and give
-/// it back then (theory.md, "Faces that touch").
+/// it back then (theory.md, "Faces that touch"). Every rank finds the forces of all pairs, with the same bits.
 class MovingFaces {
 public:
   MovingFaces() = default;
-  MovingFaces(std::vector<MovingPair> pairs, ContactMemory memory);
+  MovingFaces(MovingPairs faces, ContactMemory memory);
 
-  bool any() const { return !pairs_.empty(); }
+  bool any() const { return !faces_.pairs.empty(); }
 
   /// Data of a step without contact.
   struct FreeStep {
@@ -74,7 +85,7 @@ public:
     std::function<double(const Dof&)> acceleration;  // of what is free
     bool first;
   };
-  /// Finds the forces of a step and adds them to folded forces.
+  /// Finds the forces of a step and adds them to folded forces. Collective.
   void press(const FreeStep& step, Forces& forces);
   /// Counts the step, which has been taken.
   void count() { memory_.so_far.lost += lost_before_ + lost_after_; }
@@ -86,6 +97,8 @@ public:
   const ContactMemory& memory() const { return memory_; }
 
 private:
+  void read(const FreeStep& step);
+  void find_openings();
   bool solve(std::size_t pair);
   std::array<double, 3> compliance(std::size_t pair) const;
   AtFaces opening(std::size_t pair, const FreeStep& step, bool next) const;
@@ -101,13 +114,13 @@ private:
   void press_along(const std::vector<std::size_t>& group, const std::vector<AtFaces>& along, double force);
   void add_forces(const FreeStep& step, Forces& forces);
 
-  std::vector<MovingPair> pairs_;
+  MovingPairs faces_;
   std::vector<PairContact> contacts_;
-  std::vector<Dof> pushed_;                       // what any pair pushes, once
-  std::vector<std::vector<std::size_t>> number_;  // of every push of every pair, in pushed_
+  std::vector<std::uint32_t> pushed_;             // numbers of what any pair pushes, ascending
   std::vector<std::size_t> shared_;               // pairs that push what other pairs push
   std::vector<std::vector<std::size_t>> groups_;  // of these, joined by what they push
-  std::vector<double> change_;                    // of pushed_ over the step
+  std::vector<double> displacement_, velocity_;   // by number
+  std::vector<double> change_;                    // of displacements over the step, by number
   double size_ = 0;                               // of displacements of faces, beside which there is rounding
   double response_ = 0;                           // of a unit mass to a unit force, over the step [time^2]
   ContactMemory memory_;

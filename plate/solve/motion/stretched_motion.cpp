@@ -42,10 +42,8 @@ StretchedMotion::StretchedMotion(const Formulation& plate, const Formulation& me
   if (plate.problem().coupled())
     coupling_ = plate.coupling(), linear_ = CoupledPlate::stiffness(plate, membrane, coupling_);
   if (!plate.problem().faces_touch()) return;
-  pairs_ = plate.face_pairs();
-  const Forces mass = this->mass();
-  for (const auto& pair : pairs_)
-    faces_.push_back(moving_pair(pair, lever_of(pair, plate.sections()), plate.points(), constraints_, mass));
+  rows_.emplace(plate);
+  faces_ = moving_pairs(*rows_, plate, constraints_, mass());
 }
 
 StretchedMotion::~StretchedMotion() = default;
@@ -143,17 +141,15 @@ std::vector<char> StretchedMotion::owned() const {
 }
 
 TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts) const {
+  const auto count = Eigen::Index(contacts.size());
+  Eigen::VectorXd openings(2 * count), forces(2 * count);
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (const Eigen::Index face : {0, 1}) {
+      const auto& [opening, force] = contacts[std::size_t(i)];
+      openings[face * count + i] = opening[std::size_t(face)], forces[face * count + i] = force[std::size_t(face)];
+    }
   TouchingFaces result;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const auto& [opening, force] = contacts[i];
-    const auto& pair = pairs_[i];
-    result.faces.push_back({.position = pair.position,
-                            .length = pair.length,
-                            .opening_top = opening[0],
-                            .opening_bottom = opening[1],
-                            .force_top = force[0] / pair.length,
-                            .force_bottom = force[1] / pair.length});
-  }
+  if (rows_) result.faces = rows_->contacts(openings, forces);
   return result;
 }
 
@@ -173,7 +169,7 @@ State StretchedMotion::at_rest(const Analysis& analysis) const {
   if (bending.cols() == 0 && membrane.cols() == 0) return {};
   if (bending.cols() == 0) bending = zero_like(membrane);
   if (membrane.cols() == 0) membrane = zero_like(bending);
-  if (!faces_.empty()) {
+  if (!faces_.pairs.empty()) {
     const auto touching = touching_faces(plate_, membrane_, {bending, membrane});
     bending += touching.bending, membrane += touching.membrane;
   }

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
-#include "plate/formulation/face_pairs.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/crack_contact.hpp"
@@ -55,7 +54,7 @@ public:
   double strain_energy(const State& state) const;
 
   /// Pairs of points on the faces of cracks that may touch; none where they may overlap.
-  const std::vector<MovingPair>& faces() const { return faces_; }
+  const MovingPairs& faces() const { return faces_; }
   /// Contact of these pairs, whose changes of the states stay empty.
   TouchingFaces touching(const std::vector<PairContact>& contacts) const;
 
@@ -85,8 +84,8 @@ private:
   Constraints constraints_;
   Forces unconstrained_mass_;
   std::unique_ptr<const Stretching> stretching_;
-  std::vector<FacePair> pairs_;
-  std::vector<MovingPair> faces_;
+  std::optional<FaceRows> rows_;  // where faces may touch
+  MovingPairs faces_;
 };
 
 /// Stable time step of a plate and its plane. `rotary`: factor of the rotary inertia. Where the middle plane stretches,

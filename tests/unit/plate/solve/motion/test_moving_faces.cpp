@@ -40,7 +40,7 @@ TEST_CASE("moving faces: forces keep the next openings from being negative, and 
   CAPTURE(cracks, formulation);
   const auto plates = cracked(cracks, formulation);
   const StretchedMotion both(*plates.plate, *plates.membrane, 1);
-  REQUIRE(both.faces().size() == plates.plate->face_pairs().size());
+  REQUIRE(both.faces().pairs.size() == plates.plate->face_pairs().size());
   const Forces mass = both.mass();
   const State rest = zero_like(mass), velocity = waves(both);
   MovingFaces faces(both.faces(), {});
@@ -59,10 +59,10 @@ TEST_CASE("moving faces: forces keep the next openings from being negative, and 
     if (mass.data()[i] > 0) after.data()[i] = dt * (velocity.data()[i] + dt * forces.data()[i] / mass.data()[i]);
   both.constraints().impose(after);
   std::size_t pressed = 0;
-  for (std::size_t i = 0; i < both.faces().size(); ++i) {
+  for (std::size_t i = 0; i < both.faces().pairs.size(); ++i) {
     AtFaces opening{};
-    for (const auto& [dof, shares] : both.faces()[i].terms)
-      for (const int face : {0, 1}) opening[face] += shares[face] * at_dof(after, dof);
+    for (const auto& [number, shares] : both.faces().pairs[i].terms)
+      for (const int face : {0, 1}) opening[face] += shares[face] * at_dof(after, *both.faces().dofs[number]);
     const auto& force = faces.contacts()[i].force;
     for (const int face : {0, 1}) {
       CHECK(opening[face] > -1e-12 * dt);
@@ -72,7 +72,7 @@ TEST_CASE("moving faces: forces keep the next openings from being negative, and 
     }
   }
   CHECK(pressed > 1);
-  CHECK(pressed < 2 * both.faces().size());
+  CHECK(pressed < 2 * both.faces().pairs.size());
   CHECK(faces.so_far().lost == Approx(-dt / 2 * forces.cwiseProduct(velocity).sum()));
 }
 
