@@ -162,12 +162,14 @@ void resolve_formulation(bool stated, Case& content, Reading& reading) {
 
 void resolve_grading(Case& content, const Reading& reading) {
   auto& d = content.discretization;
+  if (!d.refine_tips || d.tip_spacing || reading.finds_spacing || content.growth || content.moves()) return;
+  if (!d.formulation->offers(Feature::graded_points)) return;
   const auto kind = content.analysis.kind;
-  const bool at_rest = kind == Analysis::Kind::static_ || kind == Analysis::Kind::harmonic;
-  const bool asked = d.refine_tips && content.srif && !content.growth && at_rest;
-  if (!asked || d.tip_spacing || reading.finds_spacing || !d.formulation->offers(Feature::graded_points)) return;
-  d.tip_spacing = post::tip_spacing_for(content);
-  if (d.tip_spacing && !reading.given("discretization.spacing_growth")) d.spacing_growth = 0.1;
+  if (content.srif && (kind == Analysis::Kind::static_ || kind == Analysis::Kind::harmonic)) {
+    d.tip_spacing = post::tip_spacing_for(content);
+    if (d.tip_spacing && !reading.given("discretization.spacing_growth")) d.spacing_growth = 0.1;
+  }
+  if (!d.tip_spacing && !geometry::reentrant_corners(content.outline.outer.vertices).empty()) d.tip_spacing = d.spacing;
 }
 
 void resolve_method(Case& content, const Reading& reading) {

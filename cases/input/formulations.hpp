@@ -28,9 +28,9 @@ bool states_formulation(const toml::table& root);
 /// it states another. Complains about keys of graded points in a case that needs a formulation without.
 void resolve_formulation(bool stated, Case& content, Reading& reading);
 
-/// Sets the spacing at the tips that factors need (post::tip_spacing_for), at rest and for harmonic responses, in a
-/// formulation with graded points, unless the case gives one or says `refine_tips = false`. Requires a case without
-/// problems.
+/// Sets the spacing at the tips that factors need (post::tip_spacing_for), at rest and for harmonic responses, or that
+/// of the plate for closer points at re-entrant corners, in a formulation with graded points, unless the case moves,
+/// grows, gives one or says `refine_tips = false`. Requires a case without problems.
 void resolve_grading(Case& content, const Reading& reading);
 
 /// Sets the method unless the case states one: direct at rest where the stiffness is not symmetric; for graded points

@@ -339,6 +339,18 @@ bool collide(const Hole& a, const Hole& b) {
 
 }  // namespace
 
+std::vector<Point> reentrant_corners(const std::vector<Point>& outer) {
+  const double least = std::sin(20 * std::numbers::pi / 180);
+  std::vector<Point> result;
+  const auto at = [&](std::size_t i) -> const Point& { return outer[i % outer.size()]; };
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    const Point in = (at(i + 1) - at(i)).normalized(), out = (at(i + 2) - at(i + 1)).normalized();
+    const double turn = cross(in, out);
+    if (turn < -least || (turn < 0 && in.dot(out) < 0)) result.push_back(at(i + 1));
+  }
+  return result;
+}
+
 std::vector<GeometryError> errors(const Outline& outline) {
   std::vector<GeometryError> found;
   const auto note = [&](const std::string& where, const std::vector<std::string>& all) {

@@ -65,6 +65,10 @@ double edge_length(const Outline& outline, const std::string& name);
 /// True where the point is strictly inside the plate. Exact: a point on the boundary is outside.
 bool contains(const Outline& outline, const Point& point);
 
+/// Corners of a closed line, counter-clockwise, at which its inside takes more than 200 degrees: fields of a plate are
+/// singular there.
+std::vector<Point> reentrant_corners(const std::vector<Point>& outer);
+
 /// Area of the part of the axis-parallel square about `centre` that lies in the plate.
 double clipped_cell_area(const Outline& outline, const Point& centre, double side);
 

@@ -54,19 +54,6 @@ std::vector<std::string> layered_edges(const Problem& c) {
   return result;
 }
 
-/// Corners at which the plate takes more than 200 degrees: fields are singular there.
-std::vector<geometry::Point> reentrant_corners(const std::vector<geometry::Point>& outer) {
-  const double least = std::sin(20 * std::numbers::pi / 180);
-  std::vector<geometry::Point> result;
-  const auto at = [&](std::size_t i) -> const geometry::Point& { return outer[i % outer.size()]; };
-  for (std::size_t i = 0; i < outer.size(); ++i) {
-    const geometry::Point in = (at(i + 1) - at(i)).normalized(), out = (at(i + 2) - at(i + 1)).normalized();
-    const double turn = geometry::cross(in, out);
-    if (turn < -least || (turn < 0 && in.dot(out) < 0)) result.push_back(at(i + 1));
-  }
-  return result;
-}
-
 }  // namespace
 
 geometry::Grading grading_of(const Problem& c, double factor) {
@@ -82,7 +69,7 @@ geometry::Grading grading_of(const Problem& c, double factor) {
   if (!d.tip_spacing) return result;
   const double wide = d.spacing_growth * d.spacing, layer = c.section.layer();
   const double at_edges = std::max({wide, std::sqrt(wide * layer), of_growth * d.spacing_growth * layer});
-  result.corners = reentrant_corners(c.outline.outer.vertices);
+  result.corners = geometry::reentrant_corners(c.outline.outer.vertices);
   result.at_corners = factor * wide / 2;
   if (at_edges < 0.7 * d.spacing)
     for (auto& name : layered_edges(c))

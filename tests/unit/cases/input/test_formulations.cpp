@@ -196,6 +196,17 @@ TEST_CASE("points are refined at tips where factors need it, and the resolved ca
   // what lies within 24 spacings of a tip
   const std::string short_kink = "geometry.cracks=[[[-0.3, 0.0], [0.25, 0.0], [0.3, 0.05]]]";
   CHECK(*spacing_at_tips(asked, {spacing, short_kink, with_thickness(0.2)}) == Approx(std::hypot(0.05, 0.05) / 32));
+  // at re-entrant corners, also without factors
+  const std::string corner =
+      "geometry.outline={polygon=[[0,0],[1,0],[1,0.5],[0.5,0.5],[0.5,1],[0,1]], "
+      "edges=[\"left\", \"b\", \"c\", \"d\", \"e\", \"f\"]}";
+  const std::string none = "geometry.cracks=[]", square = "geometry.outline={rectangle=[0, 0, 1, 1]}";
+  CHECK(*spacing_at_tips(plain, {spacing, none, corner}) == 0.01);
+  CHECK_FALSE(spacing_at_tips(plain, {spacing, none, square}));
+  CHECK_FALSE(spacing_at_tips(plain, {spacing, none, corner, "discretization.refine_tips=false"}));
+  CHECK_FALSE(spacing_at_tips(plain, {spacing, none, corner, "discretization.formulation=ordinary"}));
+  CHECK_FALSE(spacing_at_tips(
+      plain, {spacing, none, corner, "section.density=1", "analysis={kind=\"dynamic\", duration=0.05}"}));
   // not where nothing asks for factors, points are given, tips grow, or the plate moves
   CHECK_FALSE(spacing_at_tips(plain, {spacing, crack, with_thickness(0.02)}));
   CHECK_FALSE(spacing_at_tips(asked, {spacing, crack, with_thickness(0.02), "discretization.refine_tips=false"}));

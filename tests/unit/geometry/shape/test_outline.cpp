@@ -213,6 +213,20 @@ TEST_CASE("leaves agrees with samples along the segment") {
   CHECK(left > 100);
 }
 
+TEST_CASE("re-entrant corners are those beyond 200 degrees, in any direction") {
+  const std::vector<Point> corners{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0.5, 2.05}, {0, 2}};
+  for (const double degrees : {0.0, 31.0, 180.0}) {
+    const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+    auto outer = corners;
+    for (auto& x : outer) x = Point(c * x.x() - s * x.y(), s * x.x() + c * x.y());
+    const auto found = geometry::reentrant_corners(outer);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0] == outer[3]);
+  }
+  CHECK(geometry::reentrant_corners({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.95}, {0, 1}}).empty());  // 191 degrees
+  CHECK(geometry::reentrant_corners({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}, {0, 1}}).size() == 1);
+}
+
 TEST_CASE("meet: sharing a point, in line or not") {
   CHECK(meet({0, 0}, {2, 2}, {0, 2}, {2, 0}));
   CHECK(meet({0, 0}, {2, 0}, {1, 0}, {1, 1}));
