@@ -1,5 +1,7 @@
 #include "cases/input/keys.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "cases/input/case_file.hpp"
@@ -230,13 +232,36 @@ void merge_cracks(Case& content, Reading& reading) {
         "geometry.cracks[{}] continues geometry.cracks[{}] in one line: both are taken as one crack", crack, onto));
 }
 
+/// Least distance between two parallel lines that have the points between them: one runs along an edge of their hull.
+double least_width(std::vector<geometry::Point> points) {
+  const auto beside = [](const geometry::Point& a, const geometry::Point& b, const geometry::Point& x) {
+    return (b - a).x() * (x - a).y() - (b - a).y() * (x - a).x();
+  };
+  std::ranges::sort(points, {}, [](const geometry::Point& x) { return std::pair(x.x(), x.y()); });
+  double least = INFINITY;
+  for (const bool upper : {false, true}) {
+    std::vector<geometry::Point> hull;
+    for (const auto& x : points) {
+      while (hull.size() > 1 && beside(hull.end()[-2], hull.back(), x) <= 0) hull.pop_back();
+      hull.push_back(x);
+    }
+    for (std::size_t i = 0; i + 1 < hull.size(); ++i) {
+      const auto far = [&](const geometry::Point& x) { return beside(hull[i], hull[i + 1], x); };
+      least = std::min(least, far(*std::ranges::max_element(points, {}, far)) / (hull[i + 1] - hull[i]).norm());
+    }
+    if (!upper) std::ranges::reverse(points);
+  }
+  return least;
+}
+
 void look_at_proportions(const Case& content, Reading& reading) {
-  constexpr double most = 0.5;  // of the shorter side: theories of plates end far below
-  const auto [low, high] = geometry::bounding_box(content.outline);
-  const double share = content.section.thickness / (high - low).minCoeff();
+  constexpr double most = 0.5;  // of the width: theories of plates end far below
+  const double width = least_width(content.outline.outer.vertices), share = content.section.thickness / width;
   if (share > most)
     reading.found().notes.push_back(
-        fmt::format("section.thickness is {:.2g} times the shorter side: this is no plate; look at the units", share));
+        fmt::format("section.thickness is {:.2g} times the plate's least width: this is no plate; look at the units, "
+                    "and set section.thickness below {:.2g}",
+                    share, most * width));
 }
 
 void check_case(const Case& content, Reading& reading) {

@@ -304,19 +304,31 @@ std::vector<Together> together(const Problem& problem) {
 }  // namespace
 
 std::vector<std::string> warnings_about_held_holes(const Problem& problem) {
-  std::vector<std::string> names;
-  for (const auto& hole : problem.outline.holes)
-    if (const auto* circle = std::get_if<geometry::Circle>(&hole))
-      for (const auto& support : problem.supports)
-        if ((support.kind == SupportKind::simply_supported || support.kind == SupportKind::simply_supported_hard) &&
-            std::ranges::find(support.edges, circle->name) != support.edges.end())
-          names.push_back(circle->name);
-  if (names.empty()) return {};
-  const auto more = names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : std::string();
-  return {fmt::format(
-      "{}{}: simply_supported all round hinders the rim's turn; for fixings that turn set kind = \"hub\" and "
-      "k_phi = 0",
-      names.front(), more)};
+  constexpr double near = 0.1;       // of the radius, from a rim to pins on it
+  constexpr std::size_t fixing = 2;  // pins that stand for a fixing
+  std::vector<std::string> level, pinned, result;
+  for (const auto& circle : geometry::circles(problem.outline)) {
+    std::size_t pins = 0;
+    for (const auto& support : problem.supports) {
+      if ((support.kind == SupportKind::simply_supported || support.kind == SupportKind::simply_supported_hard) &&
+          std::ranges::find(support.edges, circle.name) != support.edges.end())
+        level.push_back(circle.name);
+      if (support.kind == SupportKind::pinned)
+        pins += std::size_t(std::ranges::count_if(support.points, [&](const geometry::Point& x) {
+          return std::abs((x - circle.centre).norm() - circle.radius) <= near * circle.radius;
+        }));
+    }
+    if (pins >= fixing) pinned.push_back(circle.name);
+  }
+  const auto say = [&](const std::vector<std::string>& names, const std::string& what) {
+    if (names.empty()) return;
+    const auto more = names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : std::string();
+    result.push_back(
+        fmt::format("{}{}: {}; for fixings that turn set kind = \"hub\" and k_phi = 0", names.front(), more, what));
+  };
+  say(level, "simply_supported all round hinders the rim's turn");
+  say(pinned, "pins on the rim hold the plate too softly");
+  return result;
 }
 
 std::vector<Refusal> errors_in_settlements(const Problem& problem) {

@@ -12,7 +12,7 @@ struct Problem;
 /// have or what a support of the same edge holds; foundations and springs beside edges that no images stand for.
 std::vector<Refusal> errors_in_springs(const Problem& problem);
 
-/// Warns of round holes that are simply supported all round, which all but clamps them.
+/// Warns of round holes simply supported all round, which all but clamps them, and of pins on rims, which are soft.
 std::vector<std::string> warnings_about_held_holes(const Problem& problem);
 
 /// Settlements of supports that there are not, that hold nothing of what is moved, or that meet others which hold the

@@ -55,11 +55,12 @@ TEST_CASE("a crack in two pieces of one line is one crack, with a note") {
   CHECK_THAT(file.source.notes[0], Catch::Contains("geometry.cracks[1] continues geometry.cracks[0] in one line"));
 }
 
-TEST_CASE("a thickness beyond half of the shorter side is noted") {
-  const auto notes = [](const std::string& thickness) {
+TEST_CASE("a thickness beyond half of the plate's least width is noted, however the plate is turned") {
+  const auto notes = [](const std::string& thickness, const std::string& outline = "rectangle = [0.0, 0.0, 1.0, 0.6]") {
     return cases::read_case_text(
-               "[section]\nyoung = 210e9\npoisson = 0.3\nthickness = " + thickness +
-                   "\n[geometry]\noutline = { rectangle = [0.0, 0.0, 1.0, 0.6] }\n[discretization]\nspacing = 0.05\n"
+               "[section]\nyoung = 210e9\npoisson = 0.3\nthickness = " + thickness + "\n[geometry]\noutline = { " +
+                   outline +
+                   " }\n[discretization]\nspacing = 0.02\n"
                    "[[support]]\nkind = \"clamped\"\nedges = [\"left\"]\n[[load]]\nkind = \"pressure\"\nvalue = 1.0\n"
                    "[analysis]\nkind = \"static\"\n",
                "thick", {})
@@ -67,5 +68,13 @@ TEST_CASE("a thickness beyond half of the shorter side is noted") {
   };
   CHECK(notes("0.29").empty());
   REQUIRE(notes("10.0").size() == 1);
-  CHECK_THAT(notes("10.0")[0], Catch::Contains("section.thickness is 17 times the shorter side"));
+  CHECK_THAT(notes("10.0")[0], Catch::Contains("section.thickness is 17 times the plate's least width") &&
+                                   Catch::Contains("set section.thickness below 0.3"));
+  // a strip of the width 0.1 along the diagonal, in a box of 0.78 by 0.78
+  const std::string strip =
+      "polygon = [[0.0707, 0.0], [0.7778, 0.7071], [0.7071, 0.7778], [0.0, 0.0707]], edges = ['long', 'right', "
+      "'other', 'left']";
+  CHECK(notes("0.045", strip).empty());
+  REQUIRE(notes("0.2", strip).size() == 1);
+  CHECK_THAT(notes("0.2", strip)[0], Catch::Contains("section.thickness is 2 times"));
 }

@@ -3,6 +3,7 @@
 #include "plate/formulations.hpp"
 #include "plate/model/numerical_method.hpp"
 #include "plate/model/problem.hpp"
+#include "plate/model/support_validation.hpp"
 #include "tests/catch.hpp"
 
 using plate::Subject;
@@ -152,4 +153,25 @@ TEST_CASE("faults of edges: a force on a part that is held would go into the sup
     problem.loads = {plate::Load{plate::PointForce{.position = {x, 0.5}}}};
     CHECK(found(problem) == (refused ? Found{{Subject::load_position, 0}} : Found{}));
   }
+}
+
+TEST_CASE("held holes: rims that stay level and pins on rims are told, once each, with the hub to set") {
+  auto problem = clamped_square();
+  for (const double x : {0.3, 0.7})
+    problem.outline.holes.push_back(geometry::Circle{{x, 0.5}, 0.1, x < 0.5 ? "hole0" : "hole1"});
+  CHECK(plate::warnings_about_held_holes(problem).empty());
+  problem.supports = {{plate::SupportKind::clamped, {"hole0", "hole1"}, {}}};
+  CHECK(plate::warnings_about_held_holes(problem).empty());
+  for (const auto kind : {plate::SupportKind::simply_supported, plate::SupportKind::simply_supported_hard}) {
+    problem.supports = {{kind, {"hole0", "left", "hole1"}, {}}};
+    CHECK(plate::warnings_about_held_holes(problem) ==
+          std::vector<std::string>{"hole0 and 1 more: simply_supported all round hinders the rim's turn; for fixings "
+                                   "that turn set kind = \"hub\" and k_phi = 0"});
+  }
+  problem.supports = {{plate::SupportKind::pinned, {}, {{0.8, 0.5}, {0.6494, 0.5866}, {0.6494, 0.4134}}}};
+  CHECK(plate::warnings_about_held_holes(problem) ==
+        std::vector<std::string>{"hole1: pins on the rim hold the plate too softly; for fixings that turn set "
+                                 "kind = \"hub\" and k_phi = 0"});
+  problem.supports = {{plate::SupportKind::pinned, {}, {{0.8, 0.5}, {0.3, 0.2}, {0.5, 0.5}}}};  // one of them on a rim
+  CHECK(plate::warnings_about_held_holes(problem).empty());
 }
