@@ -364,8 +364,8 @@ void faces_of_cases(Text out, const Summary& summary, bool si) {
 
 /// True where both quantities are factors of moments, or both of membrane forces: the largest shows what is noise.
 bool alike(const EnvelopeEntry& one, const EnvelopeEntry& other) {
-  const char kind = one.quantity.front();
-  return one.tip == other.tip && kind == other.quantity.front() && (kind == 'K' || kind == 'N');
+  const auto kind = [](const EnvelopeEntry& entry) { return entry.quantity == "K_eq" ? 'q' : entry.quantity.front(); };
+  return one.tip == other.tip && kind(one) == kind(other) && (kind(one) == 'K' || kind(one) == 'N');
 }
 
 void largest_of_cases(Text out, const std::vector<EnvelopeEntry>& envelope, double thickness) {
@@ -476,17 +476,20 @@ struct Known {
   double at_most = 0;
 };
 
-/// Utilisation of a tip.
-Known utilisation_of(const Srif& srif, const plate::Section& section, double toughness) {
-  const auto faces = at_faces(srif, section, toughness);
-  if (faces.utilisation) return {faces.utilisation, faces.utilisation_error};
-  const auto most = at_faces(as_resolved(srif), section, toughness);
-  return {{}, {}, most.utilisation.value_or(0) + most.utilisation_error.value_or(0)};
+/// K_eq and utilisation of a tip.
+std::array<Known, 2> known_at_faces(const Srif& srif, const plate::Section& section, std::optional<double> toughness) {
+  const auto faces = at_faces(srif, section, toughness), most = at_faces(as_resolved(srif), section, toughness);
+  std::array<Known, 2> result;
+  if (faces.equivalent) result[0] = {faces.equivalent, faces.error};
+  if (faces.utilisation) result[1] = {faces.utilisation, faces.utilisation_error};
+  if (!faces.equivalent) result[0].at_most = most.equivalent.value_or(0) + most.error.value_or(0);
+  if (!faces.utilisation) result[1].at_most = most.utilisation.value_or(0) + most.utilisation_error.value_or(0);
+  return result;
 }
 
 /// Quantities of the envelope, in its order; those that a tip does not have without value.
-std::array<Known, 7> quantities_of(const Srif& srif, const plate::Section& section, std::optional<double> toughness) {
-  std::array<Known, 7> result;
+std::array<Known, 8> quantities_of(const Srif& srif, const plate::Section& section, std::optional<double> toughness) {
+  std::array<Known, 8> result;
   const auto factor = [](double value, const std::optional<double>& error, bool resolved) {
     return resolved ? Known{value, error} : Known{{}, {}, std::abs(value) + error.value_or(0)};
   };
@@ -496,7 +499,7 @@ std::array<Known, 7> quantities_of(const Srif& srif, const plate::Section& secti
   if (const auto& membrane = srif.membrane)
     for (std::size_t i = 0; i < 2; ++i)
       result[4 + i] = factor(membrane->N[i], membrane->errors[i], membrane->resolved[i]);
-  if (toughness) result[6] = utilisation_of(srif, section, *toughness);
+  std::ranges::copy(known_at_faces(srif, section, toughness), result.begin() + 6);
   return result;
 }
 
@@ -504,7 +507,7 @@ std::array<Known, 7> quantities_of(const Srif& srif, const plate::Section& secti
 
 std::vector<EnvelopeEntry> envelope(const std::vector<LoadCaseSummary>& cases, const plate::Section& section,
                                     std::optional<double> toughness) {
-  static const std::array names{"K1", "K2", "K3", "G", "N1", "N2", "utilisation"};
+  static const std::array names{"K1", "K2", "K3", "G", "N1", "N2", "K_eq", "utilisation"};
   std::map<std::pair<std::size_t, std::size_t>, EnvelopeEntry> found;
   std::map<std::pair<std::size_t, std::size_t>, double> lost;  // what factors that are not resolved may be
   for (const auto& one : cases)

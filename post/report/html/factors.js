@@ -222,7 +222,7 @@ function envelope_table() {
   const rows = envelope.map((one, i) => {
     const lost = one.estimated_error > Math.abs(one.value), beyond = one.quantity === "utilisation" && one.value >= 1;
     const { factor, name } = prefixed(one.quantity, [one.value]);
-    const what = one.quantity === "utilisation" ? "of the toughness" : [one.quantity, name && !lost ? element("span", { class: "unit" }, ` ${name}`) : null];
+    const what = one.quantity === "utilisation" ? "of the toughness" : [one.quantity === "K_eq" ? ["K", element("sub", {}, "eq")] : one.quantity, name && !lost ? element("span", { class: "unit" }, ` ${name}`) : null];
     return [what, ["tip ", value(`envelope[${i}].tip`)],
       lost ? "not resolved in all" : element("span", { class: beyond ? "rough" : null }, with_error(`envelope[${i}].value`, one.estimated_error, factor, one.estimated_error === undefined ? 4 : 6)), lost ? "–" : one.case];
   });

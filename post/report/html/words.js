@@ -6,7 +6,7 @@ const si = data.units === "SI";
 const units = {
   K1: "N √m", K2: "N √m", K3: "N/√m", w: "m", von_mises: "Pa", Mxx: "N", Myy: "N", Mxy: "N", Qx: "N/m", Qy: "N/m",
   stress: "Pa", length: "m", time: "s", energy: "J", force: "N", moment: "N m", pressure: "Pa", frequency: "Hz",
-  speed: "m/s", face: "Pa √m", G: "N/m", density: "kg/m³", shear: "N/m", edge_moment: "N", edge_shear: "N/m", point_force: "N", settlement: "m",
+  speed: "m/s", face: "Pa √m", K_eq: "Pa √m", G: "N/m", density: "kg/m³", shear: "N/m", edge_moment: "N", edge_shear: "N/m", point_force: "N", settlement: "m",
   sigma1_top: "Pa", sigma2_top: "Pa", sigma1_bottom: "Pa", sigma2_bottom: "Pa",
   u: "m", v: "m", Nxx: "N/m", Nyy: "N/m", Nxy: "N/m", N1: "N/√m", N2: "N/√m", edge_traction: "N/m", body_force: "N/m²",
 };

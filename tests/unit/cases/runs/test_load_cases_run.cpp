@@ -328,7 +328,7 @@ TEST_CASE("load cases: in the plane each is what it is alone, and a combination 
   CHECK_NOTHROW(table_of(all, "srif").column("N1"));
   std::set<std::string> quantities;
   for (const auto& entry : all.summary.envelope) quantities.insert(entry.quantity);
-  CHECK(quantities == std::set<std::string>{"K1", "K2", "K3", "G", "N1", "N2", "utilisation"});
+  CHECK(quantities == std::set<std::string>{"K1", "K2", "K3", "G", "N1", "N2", "K_eq", "utilisation"});
   const auto json = nlohmann::json::parse(all.in_memory.summary).at("load_cases");
   CHECK(json.at(0).at("membrane").at("reactions").at(0).at("force_y").get<double>() ==
         Approx(-4));  // 2 on an edge of the length 2

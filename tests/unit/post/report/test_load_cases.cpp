@@ -39,7 +39,7 @@ const EnvelopeEntry& entry(const std::vector<EnvelopeEntry>& all, std::size_t ti
 
 TEST_CASE("envelope: the largest by recommended methods, with its sign and what gives it") {
   const auto all = envelope(two(), section, {});
-  CHECK(all.size() == 8);
+  CHECK(all.size() == 10);
   CHECK(entry(all, 0, "K1").value == -3);
   CHECK(entry(all, 0, "K1").of == "uls");
   CHECK(entry(all, 0, "K1").error == 0.5);
@@ -49,8 +49,12 @@ TEST_CASE("envelope: the largest by recommended methods, with its sign and what 
   CHECK(entry(all, 1, "K1").of == "uls");
   CHECK(entry(all, 1, "K2").of == "dead");   // not resolved in the other
   CHECK(entry(all, 1, "K2").error == 4.25);  // where it may be 4 + 0.25
+  const auto faces = at_faces(two()[1].srif[0], section, {});
+  CHECK(entry(all, 0, "K_eq").value == faces.equivalent);
+  CHECK(entry(all, 0, "K_eq").error == faces.error);
+  CHECK(entry(all, 0, "K_eq").of == "uls");
   const auto table = envelope_table(all);
-  CHECK(table.rows.size() == 8);
+  CHECK(table.rows.size() == 10);
   CHECK(table.rows[0][table.column("case")] == Cell("uls"));
   CHECK(envelope({}, section, {}).empty());
 }
@@ -62,7 +66,7 @@ TEST_CASE("envelope: factors in the plane, and utilisations where there is a tou
   cases[1].srif[0].membrane->N[0] = -5;
   cases[1].srif[1].membrane->resolved[1] = false, cases[1].srif[1].membrane->N[1] = 4;
   const auto all = envelope(cases, section, 3000);
-  CHECK(all.size() == 14);
+  CHECK(all.size() == 16);
   CHECK(entry(all, 0, "N1").value == -5);
   CHECK(entry(all, 0, "N1").error == 0.1);
   CHECK(entry(all, 0, "N1").of == "uls");
@@ -73,7 +77,21 @@ TEST_CASE("envelope: factors in the plane, and utilisations where there is a tou
   CHECK(entry(all, 0, "utilisation").error == used.utilisation_error);
 }
 
-TEST_CASE("envelope: where a load case resolves no factor, the utilisation may be larger by what these may be") {
+TEST_CASE("envelope: utilisations come first, the largest of all tips before others") {
+  const auto all = envelope(two(), section, 3000);  // tip 1 is loaded more than tip 0
+  REQUIRE(all.size() == 12);
+  CHECK(all[0].quantity == "utilisation");
+  CHECK(all[0].tip == 1);
+  CHECK(all[1].quantity == "utilisation");
+  CHECK(all[1].tip == 0);
+  CHECK(all[0].value > all[1].value);
+  CHECK(entry(all, 1, "K_eq").value == Approx(3000 * all[0].value));
+  const auto table = envelope_table(all);
+  CHECK(table.rows[0][table.column("quantity")] == Cell("utilisation"));
+  CHECK(table.rows[0][table.column("tip")] == Cell(1.0));
+}
+
+TEST_CASE("envelope: where a load case resolves no factor, K_eq and utilisation may be larger by what these may be") {
   auto cases = two();
   for (auto& one : cases) one.srif.resize(1);
   cases[1].srif[0].K1 = -30, cases[1].srif[0].resolved = {false, false, false};
@@ -82,6 +100,8 @@ TEST_CASE("envelope: where a load case resolves no factor, the utilisation may b
   CHECK(used.of == "dead");
   const auto most = at_faces(as_resolved(cases[1].srif[0]), section, 3000);
   CHECK(used.value + used.error.value() == Approx(*most.utilisation + *most.utilisation_error));
+  const auto& equivalent = entry(all, 0, "K_eq");
+  CHECK(equivalent.value + equivalent.error.value() == Approx(*most.equivalent + *most.error));
 }
 
 TEST_CASE("load cases: tables get their names by the number in the place of time") {
@@ -105,8 +125,9 @@ TEST_CASE("load cases: a row for each and tip, the envelope, reactions and defle
   const auto text = printed_load_cases(summary, false, 0.1);
   CHECK_THAT(text, Catch::Contains("case  tip") && Catch::Contains("dead    0             2            -1"));
   CHECK_THAT(text, Catch::Contains("uls     0            -3           0.5"));
-  CHECK_THAT(text, Catch::Contains("   0 K1             -3 +- 0.5       uls"));
-  CHECK_THAT(text, Catch::Contains("   1 K2              - +- 4.2       not resolved in all"));
+  CHECK_THAT(text, Catch::Contains("   0 K1              -3 +- 0.5       uls"));
+  CHECK_THAT(text, Catch::Contains("   1 K2               - +- 4.2       not resolved in all"));
+  CHECK_THAT(text, Catch::Contains("   0 K1 ") && Catch::Contains("   0 K_eq "));
   CHECK_THAT(text, !Catch::Contains("99"));
   CHECK_THAT(text, Catch::Contains("reactions along w, dead: left -3; loads 3; balanced to 1.0e-09"));
   CHECK_THAT(text, Catch::Contains("largest |w|, dead: -0.5 at (1, 2)"));
