@@ -636,7 +636,8 @@ void LoadCases::finish() {
     const auto crack = [&](std::size_t tip) { return plate_.tips()[tip].crack; };
     const auto named = [&](double number) { return found_.at(std::size_t(number) - 1).name; };
     const auto overlaps = ready_.membrane ? std::vector<post::FaceOverlaps>() : post::face_overlaps(srifs_);
-    for (auto& line : post::warnings_about_faces(overlaps, section, crack, named)) warnings_.push_back(std::move(line));
+    for (auto& line : post::warnings_about_faces(overlaps, section, crack, named, may_touch(content(), plate_)))
+      warnings_.push_back(std::move(line));
     post::name_cases(srifs_, found_);
     recorder.table("srif", std::move(srifs_));
     recorder.table("envelope", post::envelope_table(summary.envelope));

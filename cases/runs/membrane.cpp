@@ -29,6 +29,7 @@
 #include "post/factors/errors.hpp"
 #include "post/factors/plate_factors.hpp"
 #include "post/files/result_checks.hpp"
+#include "post/report/overlaps.hpp"
 #include "post/report/reactions.hpp"
 
 namespace cases {
@@ -469,10 +470,10 @@ std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& 
   for (const auto* one : post::recommended(srifs)) {
     const auto where = post::overlap(*one);
     if (where != post::Overlap::above && where != post::Overlap::both) continue;
-    result.push_back(fmt::format("tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}{}", one->tip,
+    result.push_back(fmt::format("tip {} ({:.4g}, {:.4g}): the faces of the crack overlap {}; {}", one->tip,
                                  one->position.x(), one->position.y(),
                                  where == post::Overlap::both ? "all over the thickness" : "at z > 0",
-                                 may_touch ? "; set cracks.contact = true" : ", as contact is not modelled"));
+                                 post::remedy_of_overlaps(may_touch)));
   }
   return result;
 }

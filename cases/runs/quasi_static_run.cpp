@@ -227,8 +227,9 @@ void QuasiStaticRun::finish() {
   for (auto& one : model_->record().cut_places(content_)) warnings_.push_back(std::move(one));
   const auto plane = solved ? in_plane() : std::nullopt;
   const auto overlaps = plane ? std::vector<post::FaceOverlaps>() : post::face_overlaps(srifs_);
-  for (auto& one : post::warnings_about_faces(overlaps, content_.section, {},
-                                              [](double advance) { return fmt::format("advance {:g}", advance); }))
+  for (auto& one : post::warnings_about_faces(
+           overlaps, content_.section, {}, [](double advance) { return fmt::format("advance {:g}", advance); },
+           solved && may_touch(content_, model_->plate())))
     warnings_.push_back(std::move(one));
   auto& summary = outputs_->summary();
   if (solved) summary = about(content_, model_->plate(), warnings_);

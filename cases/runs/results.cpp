@@ -231,9 +231,9 @@ void Results::finish() {
       outputs_.warn(warnings_about_overlaps(summary.srif, may_touch(content(), plate_)));
     }
   }
-  outputs_.warn(post::warnings_about_faces(overlaps, section,
-                                           growth_ ? std::function<std::size_t(std::size_t)>() : crack,
-                                           content().moves() ? at_time : std::function<std::string(double)>()));
+  outputs_.warn(post::warnings_about_faces(
+      overlaps, section, growth_ ? std::function<std::size_t(std::size_t)>() : crack,
+      content().moves() ? at_time : std::function<std::string(double)>(), may_touch(content(), plate_)));
   if (content().moves()) summary.overlaps = std::move(overlaps);
 }
 

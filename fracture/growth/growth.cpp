@@ -32,7 +32,7 @@ std::string in_words(const Ended& ended, bool by_bonds) {
     case unstable:
       return by_bonds ? "the next bond breaks unstably" : "the next advance is unstable";
     case not_resolved:
-      return "the next advance is not resolved: " + ended.detail;
+      return "stopped: not resolved: " + ended.detail;
     case split:
       return "the plate split: " + ended.detail;
     case interrupted:
@@ -53,7 +53,7 @@ std::string in_words(const MovingGrowthOutcome& outcome) {
     result = outcome.advances == 0 ? "no growth" : fmt::format("{} pieces of crack", outcome.advances);
   if (!outcome.reached.empty()) result += fmt::format(", {} reached", fmt::join(outcome.reached, ", "));
   for (const auto* stopped : {&outcome.stopped, &outcome.unsteady})
-    if (!stopped->empty()) result += fmt::format("; not resolved, and stopped there: {}", fmt::join(*stopped, "; "));
+    if (!stopped->empty()) result += fmt::format("; stopped: not resolved: {}", fmt::join(*stopped, "; "));
   if (outcome.parts > outcome.parts_before)
     result += fmt::format("; the plate split in {} parts{}", outcome.parts, outcome.frozen ? "" : ", which move on");
   return result;
@@ -104,7 +104,8 @@ std::vector<std::string> warnings_about_bonds(const Growth& growth, const plate:
         h, m, plate.section().poisson));
   if (std::ranges::any_of(plate.boundary().sides,
                           [](const auto& side) { return side.kind == plate::SupportKind::symmetry; }))
-    warnings.push_back("bonds across a line of symmetry do not break: no crack crosses it");
+    warnings.push_back(
+        "bonds across a line of symmetry do not break: no crack crosses it; set the whole outline instead");
   return warnings;
 }
 

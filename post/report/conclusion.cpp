@@ -246,8 +246,10 @@ void look_for_largest(Summary& summary, const plate::Section& section, std::vect
 
 void tell_growth(std::size_t tip, double utilisation, const std::string& when, std::vector<std::string>& warnings) {
   if (utilisation >= 1)
-    warnings.push_back(fmt::format("tip {}: the equivalent K is {:.3g} times the toughness{}: the crack grows", tip,
-                                   utilisation, when));
+    warnings.push_back(
+        fmt::format("tip {}: the equivalent K is {:.3g} times the toughness{}: the crack grows; set loads below "
+                    "{:.2g} of these",
+                    tip, utilisation, when, 1 / utilisation));
 }
 
 std::vector<std::string> tips_that_grow(const Summary& summary) {

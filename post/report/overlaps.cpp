@@ -40,18 +40,22 @@ std::map<std::size_t, std::vector<FaceRow>> rows_by_tip(const Table& srifs, std:
 std::string of_tip(const FaceOverlaps& tip, std::size_t tips, const plate::Section& section,
                    const std::function<std::string(double time)>& row) {
   if (row)
-    return fmt::format("K1 is negative in {} of {} rows at tip {}, first at {}: faces overlap at z > 0", tip.above,
-                       tip.rows, tip.tip, row(*tip.first_above));
+    return fmt::format("K1 is negative in {} of {} rows at tip {}, first at {}: faces overlap", tip.above, tip.rows,
+                       tip.tip, row(*tip.first_above));
   Srif least;
   least.K1 = *tip.least, least.position = tip.position;
   const auto overlap = at_faces(least, section, {}).overlap;
   return fmt::format(
-      "K1 is negative at {} tip{}, K1 = {:.4g} at tip {} ({:.4g}, {:.4g}): faces overlap at z > 0{}", tips,
-      tips == 1 ? "" : "s", *tip.least, tip.tip, tip.position.x(), tip.position.y(),
+      "K1 is negative at {} tip{}, {:.4g} at tip {} ({:.4g}, {:.4g}): faces overlap{}", tips, tips == 1 ? "" : "s",
+      *tip.least, tip.tip, tip.position.x(), tip.position.y(),
       overlap ? fmt::format(" by {:.2g} thicknesses", *overlap / section.at(tip.position).thickness) : "");
 }
 
 }  // namespace
+
+const char* remedy_of_overlaps(bool may_touch) {
+  return may_touch ? "set `contact` = true" : "set loads that open it";
+}
 
 std::vector<FaceOverlaps> face_overlaps(const Table& srifs) {
   constexpr double nothing = 1e-3;
@@ -79,15 +83,15 @@ std::vector<FaceOverlaps> face_overlaps(const Table& srifs) {
 
 std::vector<std::string> warnings_about_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
                                               const std::function<std::size_t(std::size_t tip)>& crack,
-                                              const std::function<std::string(double time)>& row) {
+                                              const std::function<std::string(double time)>& row, bool may_touch) {
   std::map<std::size_t, std::vector<const FaceOverlaps*>> by_crack;
   for (const auto& tip : found)
     if (tip.above > 0) by_crack[crack ? crack(tip.tip) : 0].push_back(&tip);
   std::vector<std::string> result;
   for (const auto& [number, tips] : by_crack) {
     const auto& worst = **std::ranges::min_element(tips, {}, [](const auto* tip) { return *tip->least; });
-    result.push_back(fmt::format("{}: {}", crack ? fmt::format("crack {}", number) : "cracks",
-                                 of_tip(worst, tips.size(), section, row)));
+    result.push_back(fmt::format("{}: {}; {}", crack ? fmt::format("crack {}", number) : "cracks",
+                                 of_tip(worst, tips.size(), section, row), remedy_of_overlaps(may_touch)));
   }
   return result;
 }

@@ -17,9 +17,11 @@ struct Table;
 std::vector<FaceOverlaps> face_overlaps(const Table& srifs);
 
 /// A line for every crack with a tip that has or had K1 < 0. `crack` of a tip; without it all tips are one crack's.
-/// `row`: the words for a row, by its time; without it there is one row.
+/// `row`: the words for a row, by its time; without it there is one row. `may_touch`: the run could find contact.
 std::vector<std::string> warnings_about_faces(const std::vector<FaceOverlaps>& found, const plate::Section& section,
                                               const std::function<std::size_t(std::size_t tip)>& crack,
-                                              const std::function<std::string(double time)>& row);
+                                              const std::function<std::string(double time)>& row, bool may_touch);
+/// Names the value to set where faces overlap.
+const char* remedy_of_overlaps(bool may_touch);
 
 }  // namespace post

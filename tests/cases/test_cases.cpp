@@ -250,6 +250,29 @@ TEST_CASE("exit code 2: commands that have no meaning for a growth, or for none"
   }
 }
 
+TEST_CASE(
+    "exit code 0: a growth that is not resolved says that it stopped, and fatigue repeats its doubts and says its "
+    "units") {
+  const auto ice = fs::path(PDPLATE_SOURCE_DIR) / "cases/static/ice_sheet.toml";
+  const TemporaryFolder scratch;
+  const auto ended =
+      run(ice, scratch / "ice",
+          {"section.thickness=0.3", "geometry.outline={rectangle=[0,0,20,20]}", "geometry.cracks=[[[10,0],[10,4]]]",
+           "discretization.spacing=0.5", "discretization.tip_spacing=0.5", "foundation[0].modulus=1e4",
+           "load[0].value=-397887", "load[0].on={circle=[9,3.5,0.2]}", "output.probes={edge=[9.9,0]}",
+           "growth={fracture_energy=2,control=\"equilibrium\",max_length=8}"});
+  INFO(ended.output);
+  CHECK(ended.exit_code == 0);
+  const auto summary = text_of(scratch / "ice" / "summary.json");
+  CHECK(summary.find("\"outcome\": \"stopped: not resolved: the tip at (10, 4)") != std::string::npos);
+  const auto cycles =
+      program({"fatigue", (scratch / "ice").string(), "--coefficient", "1e-30", "--exponent", "3"}).output;
+  INFO(cycles);
+  CHECK(cycles.find("warning: the growth stopped unresolved") != std::string::npos);
+  CHECK(cycles.find("warning: load factors are uncertain") != std::string::npos);
+  CHECK(cycles.find("units: length in m, K_range in Pa m^1/2") != std::string::npos);
+}
+
 TEST_CASE("exit code 3: numbers that no longer are, and a plate that does not move though it is loaded") {
   const auto moving = fs::path(PDPLATE_SOURCE_DIR) / "cases/dynamic/clamped_central_crack.toml";
   const TemporaryFolder scratch;

@@ -2,12 +2,12 @@
 // What was run, warnings, energies, frequencies, growth, stages and memory.
 
 function header() {
-  const s = data.summary, a = s.analysis, failed = s.outcome !== "done";
+  const s = data.summary, a = s.analysis, failed = s.outcome !== "done", stopped = !failed && s.growth?.outcome.includes("stopped: not resolved");
   const solved = a.iterations !== undefined ? `${whole(a.iterations)} iterations` : a.steps !== undefined ? `${whole(a.steps)} steps` : "";
   return element("header", {}, element("h1", {}, data.title || s.title || "Untitled case"), data.source && data.source !== "none" ? note(data.source) : null,
     facts([
       ["Project", data.project], ["Author", data.author], ["Date", data.date],
-      ["Outcome", element("b", { class: failed ? "failed" : "done" }, failed ? s.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
+      ["Outcome", element("b", { class: failed ? "failed" : stopped ? "rough" : "done" }, failed ? s.outcome : stopped ? s.growth.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
       ["Analysis", `${a.kind}, ${spaced(a.method)}${a.preconditioner ? ` with ${spaced(a.preconditioner)}` : ""}${solved ? `, ${solved}` : ""}${s.membrane && a.iterations === 0 ? ": loaded in its plane alone" : a.stop_reason && !failed ? `: ${a.stop_reason}` : ""}`],
       ["Formulation", s.formulation === "galerkin" ? "Galerkin plate" : s.formulation === "ordinary" ? "bonds over a horizon" : s.formulation, ` (${s.formulation_reason})`],
       ["Plate", value("points", 6, whole(s.points)), ` points, spacing ${shown(s.spacing, 4)}${unit("length") ? ` ${unit("length")}` : ""}, ${whole(s.bonds)} bonds`],

@@ -272,7 +272,7 @@ TEST_CASE("quasi-static growth: it ends, with the reason, where a direction is n
         tip.factors.K2 = 0.5, tip.errors = {0.05, 1, 1}, tip.release_error = 0.05;
       },
       9, see);
-  CHECK_THAT(found.outcome, Contains("the next advance is not resolved: the tip at (1.5, 0) would turn by"));
+  CHECK_THAT(found.outcome, Contains("stopped: not resolved: the tip at (1.5, 0) would turn by"));
   CHECK_THAT(found.outcome, Contains("`direction` = \"straight\""));
   CHECK(found.advances == 0);
   REQUIRE(seen.size() == 1);
@@ -286,7 +286,7 @@ TEST_CASE("quasi-static growth: it ends, with the reason, where a direction is n
 TEST_CASE("quasi-static growth: an end of a piece that asks for another large turn ends it where it was") {
   // K2 stays half of K1 whatever the crack does: each piece would turn by 40 degrees more
   const auto found = grown_by_two([](std::size_t, LoadedTip& tip) { tip.factors.K2 = 0.9; }, 9);
-  CHECK_THAT(found.outcome, Contains("the next advance is not resolved: the tip at (1.5, 0) would turn by"));
+  CHECK_THAT(found.outcome, Contains("stopped: not resolved: the tip at (1.5, 0) would turn by"));
   CHECK_THAT(found.outcome, Contains("5 spacings on by"));
   CHECK(found.advances == 0);
   CHECK(found.ledger.fracture == 0);

@@ -27,9 +27,9 @@ TEST_CASE("words: what became of a motion") {
   CHECK(fracture::in_words(moved) == "3 pieces of crack, 'left', crack 1 reached");
   moved.stopped = {"tip 1 would turn"};
   CHECK(fracture::in_words(moved) ==
-        "3 pieces of crack, 'left', crack 1 reached; not resolved, and stopped there: tip 1 would turn");
+        "3 pieces of crack, 'left', crack 1 reached; stopped: not resolved: tip 1 would turn");
   moved.unsteady = {"tip 0 took 2 times"};
-  CHECK_THAT(in_words(moved), Catch::EndsWith("not resolved, and stopped there: tip 0 took 2 times"));
+  CHECK_THAT(in_words(moved), Catch::EndsWith("; stopped: not resolved: tip 0 took 2 times"));
   moved = {};
   moved.broken = 7, moved.parts = 2;
   CHECK(fracture::in_words(moved) == "7 bonds broken; the plate split in 2 parts, which move on");

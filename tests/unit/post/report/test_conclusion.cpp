@@ -68,12 +68,15 @@ TEST_CASE("conclusion: tips that reach the toughness by their recommended method
   auto summary = concluded(0, false, 1500.0);  // K_I = 1063, 2127
   REQUIRE(summary.faces.size() == 3);
   CHECK(*summary.faces[2].utilisation == Approx(std::sqrt(M_PI) * 600 * 2 / 1500));
-  CHECK(post::tips_that_grow(summary) ==
-        std::vector<std::string>{"tip 1: the equivalent K is 1.42 times the toughness: the crack grows"});
+  CHECK(
+      post::tips_that_grow(summary) ==
+      std::vector<std::string>{"tip 1: the equivalent K is 1.42 times the toughness: the crack grows; set loads below "
+                               "0.71 of these"});
   CHECK(post::tips_that_grow(concluded(0, false, std::nullopt)).empty());
   summary.peaks = {{"K1", 0, 7, 0, {}, {}}, {"utilisation", 0, 1, 0.25, {}, {}}, {"utilisation", 1, 0.99, 0.5, {}, {}}};
   CHECK(post::tips_that_grow(summary) ==
-        std::vector<std::string>{"tip 0: the equivalent K is 1 times the toughness at t = 0.25: the crack grows"});
+        std::vector<std::string>{"tip 0: the equivalent K is 1 times the toughness at t = 0.25: the crack grows; set "
+                                 "loads below 1 of these"});
 }
 
 TEST_CASE("conclusion: point supports that sink in are named, by the reaction and the plate about them") {

@@ -81,15 +81,16 @@ TEST_CASE("overlaps: one line for every crack, none where K1 is positive") {
   const auto found = face_overlaps(table_of({{overlapping(0, 1, 0), overlapping(1, -2, 0), overlapping(2, -3, 0),
                                               overlapping(3, 4, 0), overlapping(4, 5, 0)}}));
   const auto crack = [](std::size_t tip) { return tip / 2; };
-  const auto lines = warnings_about_faces(found, overlap_section, crack, {});
+  const auto lines = warnings_about_faces(found, overlap_section, crack, {}, true);
   REQUIRE(lines.size() == 2);
-  CHECK_THAT(lines[0],
-             Catch::StartsWith("crack 0: K1 is negative") && Catch::Contains("at 1 tip, K1 = -2 at tip 1 (1, 2)"));
+  CHECK_THAT(lines[0], Catch::StartsWith("crack 0: K1 is negative") &&
+                           Catch::Contains("at 1 tip, -2 at tip 1 (1, 2)") &&
+                           Catch::EndsWith("; set `contact` = true"));
   CHECK_THAT(lines[1], Catch::StartsWith("crack 1: ") && Catch::Contains("tip 2") && !Catch::Contains("tip 3"));
   const auto moving = face_overlaps(table_of({{overlapping(0, 1, 0)}, {overlapping(0, -2, 0)}}));
   const auto at = [](double time) { return "t = " + std::to_string(time).substr(0, 3); };
-  CHECK_THAT(warnings_about_faces(moving, overlap_section, crack, at).at(0),
-             Catch::Contains("K1 is negative in 1 of 2 rows at tip 0, first at t = 0.5"));
-  CHECK_THAT(warnings_about_faces(moving, overlap_section, {}, at).at(0), Catch::StartsWith("cracks: "));
-  CHECK(warnings_about_faces({}, overlap_section, {}, {}).empty());
+  CHECK_THAT(warnings_about_faces(moving, overlap_section, crack, at, false).at(0),
+             Catch::Contains("K1 is negative in 1 of 2 rows at tip 0, first at t = 0.5: faces overlap; set loads"));
+  CHECK_THAT(warnings_about_faces(moving, overlap_section, {}, at, false).at(0), Catch::StartsWith("cracks: "));
+  CHECK(warnings_about_faces({}, overlap_section, {}, {}, true).empty());
 }
