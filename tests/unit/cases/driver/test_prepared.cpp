@@ -1,6 +1,7 @@
 #include "cases/driver/prepared.hpp"
 
 #include "cases/driver/run.hpp"
+#include "plate/solve/motion/time_grid.hpp"
 #include "post/files/summary.hpp"
 #include "tests/unit/cases/case_text.hpp"
 #include "tests/unit/post/small_run.hpp"
@@ -49,6 +50,23 @@ TEST_CASE(
   CHECK(relaxing.steps->limit == Approx(undamped.steps->limit / 2));
   CHECK(relaxing.steps->grid.relaxation == Approx(0.01 / 3));
   CHECK_THAT(relaxing.warnings.back(), Catch::Contains("set analysis.time_step"));
+}
+
+TEST_CASE("damping ratios on graded points take at most twice the steps, where exact damping would take far more") {
+  const auto motion = [](const std::string& damping) {
+    std::vector<std::string> settings{"discretization.spacing=0.1", "discretization.tip_spacing=0.02",
+                                      "analysis.method=central_difference"};
+    if (!damping.empty()) settings.push_back("analysis.damping=" + damping);
+    return cases::Prepared(case_text::read(probed_motion(), settings));
+  };
+  const auto undamped = motion(""), damped = motion("{ratio=[0.02, 0.02], frequencies=[0.2, 2.0]}");
+  const double free = undamped.steps->limit, exact = plate::stable_step(free, *damped.file.content.analysis.damping);
+  CAPTURE(free, exact, damped.steps->limit, undamped.steps->grid.steps, damped.steps->grid.steps);
+  CHECK(exact < free / 3);
+  CHECK(damped.steps->grid.relaxation > 0);
+  CHECK(damped.steps->limit == Approx(free / 2));
+  CHECK(damped.steps->grid.steps > undamped.steps->grid.steps);
+  CHECK(damped.steps->grid.steps <= 2 * undamped.steps->grid.steps + 2);
 }
 
 TEST_CASE("accuracy in motion: a plate that nothing holds and one that is to take steps are refused") {
