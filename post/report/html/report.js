@@ -4,7 +4,8 @@
 function sections() {
   if (data.kind !== "run") return study_sections();
   const curve_plots = plots(curves());
-  return [header(), warnings_section(), governing_section(), plate_section(), factors_section(), load_cases_section(), largest_section("peaks", "Largest in time"), largest_section("extremes", "Largest values"), probes_section(), lines_section(), contact_section(), frequencies_section(), buckling_section(), load_steps_section(), growth_section(),
+  const governing = governing_section();
+  return [header(), warnings_section(), governing ? element("div", { class: "pair" }, governing, plate_section()) : plate_section(), factors_section(), load_cases_section(), largest_section("peaks", "Largest in time"), largest_section("extremes", "Largest values"), probes_section(), lines_section(), contact_section(), frequencies_section(), buckling_section(), load_steps_section(), growth_section(),
     curve_plots ? section("Curves", curve_plots, data.summary.response?.some(one => one.quantity === "K1") ? note("K1 changes its sign in every period: amplitudes hold while a static load keeps the crack faces apart.") : null, screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it.")) : null,
     accuracy_section(), fields_section(), reactions_section(), energy_section(), other_section(), cost_section(), case_section()];
 }
@@ -54,21 +55,8 @@ function start() {
   });
   const drawn = () => (document.documentElement.dataset.state = "drawn");
   if (location.hash !== "#check") return drawn();
-  check_paper();
   const soon = work => queueMicrotask(() => queueMicrotask(work)); // plots are drawn in microtasks
   soon(() => (check(), drawn()));
-}
-
-/** For tests: how many cells of tables reach beyond the paper, in data-clipped of the root. */
-function check_paper() {
-  document.documentElement.classList.add("paper");
-  redraw();
-  fit_tables();
-  const { right } = document.querySelector("main").getBoundingClientRect();
-  document.documentElement.dataset.clipped = [...document.querySelectorAll("th, td")].filter(cell => cell.getBoundingClientRect().right > right + 1).length;
-  document.documentElement.classList.remove("paper");
-  redraw();
-  fit_tables();
 }
 
 /** For tests: how many colours there are on each canvas, in data-colours. */
