@@ -7,6 +7,7 @@
 #include "plate/formulation/discretised.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 
 namespace plate {
@@ -76,7 +77,7 @@ UsualSolver usual_solver(const Problem& problem, StaticMethod method, Preconditi
   const bool bonds = d.formulation == &ordinary;
   const bool general = bonds && (d.boundary == EdgeMethod::surface_nodes || d.boundary == EdgeMethod::fictitious_nodes);
   const double of_bonds = (general ? 1120 : 440) * d.horizon_ratio * d.horizon_ratio;
-  if (problem.coupled())
+  if (rests_with_plane(problem))
     return {StaticMethod::direct,         automatic, "factor of the plate and its plane", 0, of_factor,
             bytes_of_factor(2600, points)};
   const UsualSolver own_factor{StaticMethod::direct,

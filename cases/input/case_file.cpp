@@ -72,8 +72,9 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
         "section.density",
         fmt::format("is missing, must be a number > 0: {} is the plate's own weight", key_of_load(content, *without)));
   content.stretches = content.analysis.nonlinear;
-  content.joined_with_plane = content.stretches || (content.analysis.kind != Analysis::Kind::static_ &&
-                                                    (plate::loaded_in_plane(content) || content.faces_touch()));
+  content.joined_with_plane =
+      content.stretches || plate::rests_with_plane(content) ||
+      (content.analysis.kind != Analysis::Kind::static_ && (plate::loaded_in_plane(content) || content.faces_touch()));
   add_images(content, reading);
   snap_cracks(content, reading);
   resolve_formulation(states_formulation(root), content, reading);

@@ -174,8 +174,6 @@ const std::vector<Exclusion> excluded_pairs{
      "in each load case other supports touch, so that load cases do not add up: give their sum a [[case]] of its own"},
     {pushing_supports, large_deflections, support_pushes,
      "supports that only push are not found with large deflections yet: remove it, or analysis.nonlinear"},
-    {pushing_supports, touching_faces, support_pushes,
-     "contact of faces and of supports are not found together yet: remove it, or cracks.contact"},
     {pushing_supports, unilateral_foundation, support_pushes,
      "contact of soil and of supports are not found together yet: remove it, or lifts_off"},
     {pushing_supports, coupled_section, support_pushes,
@@ -284,8 +282,6 @@ const std::vector<Exclusion> excluded_pairs{
     {touching_faces, growth_of_bonds, "cracks.contact",
      "single bonds that break leave no faces that could touch: remove it, or choose growth.criterion = "
      "\"energy_release\""},
-    {touching_faces, unilateral_foundation, "cracks.contact",
-     "contact of faces and of soil are not found together yet: remove it, or lifts_off"},
     {touching_bonds, richardson, "srif.richardson",
      "bounds the errors of closed cracks in bonds in 13 of 20 plates only: choose srif.second_formulation, or "
      "discretization.formulation = \"galerkin\""},

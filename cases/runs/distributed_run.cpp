@@ -13,6 +13,7 @@
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/galerkin/part_of_cells.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/reduction.hpp"
 
 namespace cases {
@@ -60,7 +61,8 @@ std::vector<KeyError> errors_in_distribution(const Case& c, int processes) {
   const bool rests = !c.moves() || c.analysis.start == plate::Analysis::Start::equilibrium;
   refuse(c.stretches_at_first() && 2 * expected_points(c) > most_factorised, "analysis.nonlinear",
          "large deflections of so many points cannot be found");
-  refuse(c.coupled() && rests && 2 * expected_points(c) > most_factorised, "section",
+  refuse(plate::rests_with_plane(c) && rests && 2 * expected_points(c) > most_factorised,
+         c.coupled() ? "section" : "cracks.contact",
          "coupled bending and stretching of so many points cannot be found");
   refuse(c.faces_touch() && rests && expected_points(c) > most_factorised, "cracks.contact",
          "contact of faces of so many points cannot be found");

@@ -52,7 +52,7 @@ struct LoadCaseState {
   plate::State strained = plate::no_state();              // plate::StaticResult
   std::optional<InPlaneState> in_plane = {};              // where loads of any load case act there
   std::optional<plate::LargeDeflections> curved = {};     // where they were asked for
-  std::optional<plate::CoupledEquilibrium> coupled = {};  // of a plate whose bending and stretching are
+  std::optional<plate::CoupledEquilibrium> coupled = {};  // of a plate together with its plane
   std::optional<plate::TouchingFaces> touching = {};      // where faces of cracks may touch
 
   const plate::State& what_strains() const { return strained.cols() > 0 ? strained : state; }
@@ -163,7 +163,7 @@ private:
   };
   Deepest deepest_;
   std::unique_ptr<const plate::StretchedPlate> stretched_;  // with large deflections
-  std::unique_ptr<const plate::CoupledPlate> coupled_;      // where bending and stretching are coupled
+  std::unique_ptr<const plate::CoupledPlate> coupled_;      // together with its plane
   std::unique_ptr<const plate::ContactOfFaces> contact_;    // where faces of cracks may touch, without them
   std::vector<post::LoadCaseSummary> found_;
   double demand_ = -1;                                     // largest equivalent K so far, or von Mises stress
@@ -223,9 +223,8 @@ void LoadCases::look(post::LoadCaseSummary one, const LoadCaseState& known, std:
                heated = across + (curved || coupled ? in_plane->stored : 0);
   one.strain_energy = strain + heated, one.external_work = work + heated;
   if (coupled)
-    one.energy_parts = {{"bending", coupled->bending_energy + across},
-                        {"stretching", one.membrane->strain_energy},
-                        {"coupling", coupled->coupling_energy}};
+    one.energy_parts = {{"bending", coupled->bending_energy + across}, {"stretching", one.membrane->strain_energy}};
+  if (coupled && content().coupled()) one.energy_parts.emplace_back("coupling", coupled->coupling_energy);
   if (curved) one.membrane->external_work = one.external_work;
   post::Sample row{number, step, state, one.strain_energy, 0, one.external_work, 0};
   row.discrete_energy = strain + now.potential;
@@ -365,7 +364,7 @@ std::vector<std::string> LoadCases::warnings() const {
   return result;
 }
 
-/// Finds the equilibrium of a plate whose bending and stretching are coupled.
+/// Finds the equilibrium of a plate together with its plane.
 void LoadCases::find_both(post::LoadCaseSummary& one, LoadCaseState& now) {
   const auto& analysis = content().analysis;
   auto& about = summary().analysis;
@@ -377,6 +376,8 @@ void LoadCases::find_both(post::LoadCaseSummary& one, LoadCaseState& now) {
   about.iterations = about.iterations.value_or(0) + found.of_both.iterations;
   about.residual = std::max(about.residual.value_or(0), *one.residual);
   now.state = found.bending, now.strained = found.strained, now.in_plane->state = found.membrane;
+  if (found.touching) record_contact(one, *found.touching), now.touching = found.touching;
+  one.lifted = found.lifted;
   now.coupled = std::move(found);
 }
 
@@ -477,7 +478,7 @@ void LoadCases::solve_stretched() {
 }
 
 void LoadCases::solve() {
-  if (content().analysis.nonlinear || content().coupled()) return solve_stretched();
+  if (content().analysis.nonlinear || plate::rests_with_plane(content())) return solve_stretched();
   auto& summary = this->summary();
   const auto& problem = plate_.problem();
   const auto& analysis = content().analysis;

@@ -320,25 +320,56 @@ FacesFound faces_found(const plate::TouchingFaces& found, const plate::Formulati
   return result;
 }
 
-ContactResult with_contact(const plate::Formulation& plate, const plate::Formulation& membrane,
-                           const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
-                           plate::StaticResult& bending) {
-  auto in_plane = plate::zero_state(membrane.points());
-  double residual = 0;
+namespace {
+
+/// Equilibria of a plate and its plane with contact, and its findings.
+struct Touched {
+  plate::State in_plane;
+  plate::TouchingFaces touching;
+  double residual = 0;  // in the plane, of loads there alone
+  std::size_t factor_bytes = 0;
+};
+
+/// Adds to `bending`, a state without contact, what contact changes.
+Touched touched(const plate::Formulation& plate, const plate::Formulation& membrane, const plate::Analysis& analysis,
+                plate::StaticResult& bending) {
+  Touched result{.in_plane = plate::zero_state(membrane.points()), .touching = {}};
   if (plate::loaded_in_plane(plate.problem())) {
     const auto found = plate::static_solution(membrane, analysis, {analysis.tolerance, analysis.max_iterations, {}});
     require_equilibrium(membrane, found.solution, analysis.tolerance, "in the plane");
-    in_plane = found.solution.state, residual = found.solution.residual;
+    result.in_plane = found.solution.state, result.residual = found.solution.residual;
   }
-  const auto found = plate::touching_faces(plate, membrane, {bending.solution.state, in_plane});
-  bending.solution.state += found.bending, in_plane += found.membrane;
-  if (bending.strained.cols() > 0) bending.strained += found.bending;
+  result.touching = plate::touching_faces(plate, membrane, {bending.solution.state, result.in_plane});
+  bending.solution.state += result.touching.bending, result.in_plane += result.touching.membrane;
+  if (bending.strained.cols() > 0) bending.strained += result.touching.bending;
+  result.factor_bytes = result.touching.factor_bytes;
+  return result;
+}
 
-  ContactResult result{
-      .in_plane = membrane_results(membrane, in_plane, membrane.total_load(), plate::heat_of(membrane, 1), wanted),
-      .faces = faces_found(found, plate),
-      .factor_bytes = found.factor_bytes};
-  result.in_plane.summary.residual = residual;
+/// Replaces `bending` where contact of faces changes what else touches: soil, supports that only push.
+Touched touched_beside(const plate::Formulation& plate, const plate::Formulation& membrane,
+                       const plate::Analysis& analysis, plate::StaticResult& bending) {
+  const plate::CoupledPlate both(plate, membrane);
+  auto found = both.equilibrium({plate.total_load(), membrane.total_load()},
+                                {analysis.tolerance, analysis.max_iterations, {}}, plate::total_lift(plate));
+  require_equilibrium(plate, found.of_both, analysis.tolerance, "in equilibrium with contact");
+  bending.solution.state = std::move(found.bending), bending.strained = std::move(found.strained);
+  if (found.lifted) bending.lifted = found.lifted;
+  return {std::move(found.membrane), std::move(*found.touching), found.of_both.residual, both.factor_bytes()};
+}
+
+}  // namespace
+
+ContactResult with_contact(const plate::Formulation& plate, const plate::Formulation& membrane,
+                           const plate::Analysis& analysis, const MembraneFactorsWanted& wanted,
+                           plate::StaticResult& bending) {
+  const auto found = plate::rests_with_plane(plate.problem()) ? touched_beside(plate, membrane, analysis, bending)
+                                                              : touched(plate, membrane, analysis, bending);
+  ContactResult result{.in_plane = membrane_results(membrane, found.in_plane, membrane.total_load(),
+                                                    plate::heat_of(membrane, 1), wanted),
+                       .faces = faces_found(found.touching, plate),
+                       .factor_bytes = found.factor_bytes};
+  result.in_plane.summary.residual = found.residual;
   return result;
 }
 
@@ -461,8 +492,8 @@ std::vector<std::string> warnings_about_rotations(double largest) {
 }
 
 bool may_touch(const Case& c, const plate::Formulation& plate) {
-  return !c.coupled() && c.analysis.control == plate::LoadControl::load && (!c.growth || c.grows_at_rest()) &&
-         plate.offers(plate::Feature::touching_faces);
+  return !c.coupled() && !c.ties_faces() && c.analysis.control == plate::LoadControl::load &&
+         (!c.growth || c.grows_at_rest()) && plate.offers(plate::Feature::touching_faces);
 }
 
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch) {

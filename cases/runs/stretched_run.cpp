@@ -155,6 +155,8 @@ void CoupledRun::solve() {
   end.stretched = &found.on_bending;
   if (found.strained.cols() > 0) end.rest = &found.strained;
   results_.in_plane(membrane, std::move(in_plane));
+  summary.lifted = found.lifted;
+  if (found.touching) results_.touching(faces_found(*found.touching, plate_));
   results_.sample(end, true);
   stopwatch().lap("srif");
   results_.frame(end);

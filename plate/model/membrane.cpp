@@ -33,6 +33,10 @@ bool has_plane(const Problem& problem) {
   return problem.stretches || problem.faces_touch() || loaded_in_plane(problem) || problem.coupled();
 }
 
+bool rests_with_plane(const Problem& problem) {
+  return problem.coupled() || (problem.faces_touch() && (problem.unilateral() || problem.pushed()));
+}
+
 std::vector<std::string> warnings_about_axial_stiffness(const Problem& problem) {
   if (has_plane(problem) || std::ranges::none_of(problem.stiffeners, &Stiffener::stretches)) return {};
   return {"axial of stiffeners does nothing, as no load acts in the plane; set eccentricity of ribs on one side"};

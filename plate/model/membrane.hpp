@@ -10,6 +10,10 @@ bool loaded_in_plane(const Problem& problem);
 /// coupled, or faces of cracks touch.
 bool has_plane(const Problem& problem);
 
+/// True where the equilibria of a plate and of its plane are found together: bending and stretching act on each other
+/// by the section, or by faces of cracks that touch while soil lifts off or supports only push.
+bool rests_with_plane(const Problem& problem);
+
 /// Warning about stiffeners whose axial stiffness does nothing, as the plate has no plane beside it.
 std::vector<std::string> warnings_about_axial_stiffness(const Problem& problem);
 

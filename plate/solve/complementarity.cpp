@@ -1,14 +1,16 @@
 #include "plate/solve/complementarity.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "plate/model/errors.hpp"
 
 namespace plate {
 
-Complementarity::Complementarity(const Eigen::MatrixXd& C, const Eigen::VectorXd& c, const std::vector<char>& kept)
-    : x(Eigen::VectorXd::Zero(c.size())), rest(c), kept_(kept), pressed_(kept) {
+Complementarity::Complementarity(const Eigen::MatrixXd& C, const Eigen::VectorXd& c, const std::vector<char>& kept,
+                                 Shape shape)
+    : x(Eigen::VectorXd::Zero(c.size())), rest(c), shape_(shape), kept_(kept), pressed_(kept) {
   kept_.resize(std::size_t(c.size()), 0), pressed_.resize(kept_.size(), 0);
   if (!kept.empty()) solve(C, c);
   constexpr int tries = 5;
@@ -54,12 +56,16 @@ void Complementarity::solve(const Eigen::MatrixXd& C, const Eigen::VectorXd& c) 
   x.setZero();
   if (!active.empty()) {
     const Eigen::MatrixXd of_active = C(active, active);
-    const Eigen::LLT<Eigen::MatrixXd> factor(of_active);
-    if (factor.info() != Eigen::Success)
+    Eigen::VectorXd forces;
+    if (shape_ == Shape::mixed) {
+      forces = of_active.partialPivLu().solve(-c(active));
+    } else if (const Eigen::LLT<Eigen::MatrixXd> factor(of_active); factor.info() == Eigen::Success) {
+      forces = factor.solve(-c(active));
+    }
+    if (forces.size() == 0 || !forces.allFinite())
       throw NumericalError(
           "contact of crack faces: openings do not follow from the forces on them: take a finer spacing, or remove "
           "`contact`");
-    const Eigen::VectorXd forces = factor.solve(-c(active));
     x(active) = forces;
   }
   rest = C * x + c;

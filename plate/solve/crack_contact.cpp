@@ -109,6 +109,25 @@ Eigen::MatrixXd FaceRows::compliance(std::size_t points, const Solutions& soluti
   return (result + result.transpose()) / 2;
 }
 
+Eigen::MatrixXd FaceRows::columns(std::span<const Eigen::Index> some, std::size_t points,
+                                  const Solutions& solutions) const {
+  constexpr std::size_t at_once = 32;  // as many states are held
+  const auto rows = 2 * arms_.size();
+  Eigen::MatrixXd result(rows, Eigen::Index(some.size()));
+  for (std::size_t first = 0; first < some.size(); first += at_once) {
+    std::vector<Forces> loads;
+    for (auto i = first; i < std::min(some.size(), first + at_once); ++i) {
+      Forces on_bending = zero_forces(points), on_plane = zero_forces(points);
+      press(Eigen::VectorXd::Unit(rows, some[i]), on_bending, on_plane);
+      loads.push_back(stacked(on_bending, on_plane));
+    }
+    const auto states = solutions(loads);
+    for (std::size_t i = 0; i < states.size(); ++i)
+      result.col(Eigen::Index(first + i)) = openings(of_plate(states[i]), of_plane(states[i]));
+  }
+  return result;
+}
+
 Eigen::VectorXd FaceRows::openings(const State& bending, const State& membrane) const {
   const auto count = arms_.size();
   Eigen::MatrixXd found(count, 2);  // of both states

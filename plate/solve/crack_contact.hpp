@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "plate/formulation/constraints.hpp"
@@ -59,6 +60,9 @@ public:
   /// Openings of all pairs by unit forces that press each of them apart: symmetric and positive [pairs x pairs].
   /// `solutions`: of the plate or of its plane, which may have other `points` beyond edges.
   Eigen::MatrixXd compliance(std::size_t points, const Solutions& solutions) const;
+  /// Openings of all rows by unit forces on some [rows x some]. `solutions`: under loads on the plate and its plane,
+  /// stacked, which have the same `points`.
+  Eigen::MatrixXd columns(std::span<const Eigen::Index> some, std::size_t points, const Solutions& solutions) const;
   /// Openings of all rows [length].
   Eigen::VectorXd openings(const State& bending, const State& membrane) const;
   /// Adds the nodal forces of forces that press the rows apart. Pairs that are pressed evenly do not bend the plate.

@@ -1,9 +1,15 @@
 #pragma once
+#include <functional>
+
 #include "plate/formulation/elastic_supports.hpp"
 #include "plate/formulation/foundations.hpp"
 #include "plate/formulation/operator.hpp"
+#include "plate/solve/matrices/point_matrix.hpp"
 
 namespace plate {
+
+class Formulation;
+struct StaticSolution;
 
 /// Plate on a unilateral foundation with given contact, which makes it linear. The plate and the elastic supports must
 /// outlive it.
@@ -36,5 +42,29 @@ inline ContactState everywhere(const ElasticSupports& elastic_supports) {
     result.emplace_back(part->contact ? part->contact->places() : 0, char(1));
   return result;
 }
+
+/// Subtracts from the stiffness of a plate, with contact everywhere, that of the places without contact.
+PointMatrix with_contact_at(const ContactState& touching, const ElasticSupports& elastic_supports,
+                            PointMatrix everywhere);
+
+/// A plate at rest on unilateral foundations, as contact_with_soil() asks for it.
+struct RestOnSoil {
+  /// Equilibrium with given contact. `start`: a state near it; null: none.
+  std::function<StaticSolution(const ContactState& touching, const State* start)> solve;
+  std::function<ContactState(const State&)> touching;
+  std::function<double(const State&)> energy;  // with the potential of the loads
+};
+
+/// Finds what soil touches: plates with given contact are solved until the contact is what is pressed. Collective.
+/// @throws NumericalError  where nothing holds the plate any more
+StaticSolution contact_with_soil(const Formulation& plate, const RestOnSoil& rest);
+
+/// Checks an equilibrium on soil: a plate that flies off goes so far that rounding hides what is left of its load.
+/// `lift`: as total_lift().
+/// @throws NumericalError  where it does
+void require_contact(const Formulation& plate, const Forces& load, const State& lift, const State& state);
+
+/// Potential of a load that is not folded.
+double potential(const Formulation& plate, const Forces& load, const State& state);
 
 }  // namespace plate

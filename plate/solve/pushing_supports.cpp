@@ -14,11 +14,6 @@
 namespace plate {
 namespace {
 
-constexpr auto flies_off =
-    "nothing holds the plate any more where its supports only push: it tips or flies off; push the other way, or add "
-    "loads "
-    "that press it down";
-
 /// Directions in which points are pushed, of those whose deflection no support holds both ways.
 std::map<std::uint32_t, Push> pushed_points(const Boundary& boundary) {
   std::map<std::uint32_t, Push> result;
@@ -34,17 +29,45 @@ std::map<std::uint32_t, Push> pushed_points(const Boundary& boundary) {
 
 }  // namespace
 
-PushingSupports::PushingSupports(const Formulation& plate)
-    : plate_(plate), factor_(std::make_unique<AssembledPlate>(plate, plate.constraints(), plate.stiffness())) {
+const char* const flies_off_supports =
+    "nothing holds the plate any more where its supports only push: it tips or flies off; push the other way, or add "
+    "loads that press it down";
+
+PushedPoints::PushedPoints(const Formulation& plate) : plate_(plate) {
   for (const auto& [point, push] : pushed_points(plate.boundary())) rows_.push_back({point, double(int(push))});
-  columns_.resize(rows_.size());
 }
 
-PushingSupports::~PushingSupports() = default;
-
-State PushingSupports::lift(std::size_t row) const {
+State PushedPoints::lift(std::size_t row) const {
   return rows_[row].direction * plate_.constraints().lift(SupportOffsets::gap(rows_[row].point), plate_.points());
 }
+
+State PushedPoints::lift(const Eigen::VectorXd& gaps) const {
+  State result = zero_state(plate_.points());
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (const double gap = gaps[Eigen::Index(i)]; gap > 0) result += gap * lift(i);
+  return result;
+}
+
+Eigen::VectorXd PushedPoints::reactions(const Forces& forces) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (const auto& [dof, value] : plate_.constraints().lifted(SupportOffsets::gap(rows_[i].point)))
+      result[Eigen::Index(i)] -= rows_[i].direction * value * at_dof(forces, dof);
+  return result;
+}
+
+LiftedSupports PushedPoints::lifted(const Eigen::VectorXd& gaps) const {
+  if (gaps.size() == 0) return {};
+  return {double((gaps.array() > 0).count()) / double(gaps.size()), std::max(0.0, gaps.maxCoeff())};
+}
+
+PushingSupports::PushingSupports(const Formulation& plate)
+    : plate_(plate),
+      factor_(std::make_unique<AssembledPlate>(plate, plate.constraints(), plate.stiffness())),
+      rows_(plate),
+      columns_(rows_.size()) {}
+
+PushingSupports::~PushingSupports() = default;
 
 /// The equilibrium with all points in contact; the second solution takes out what rounding left.
 State PushingSupports::held(const Forces& load, const State& settled) const {
@@ -58,15 +81,6 @@ State PushingSupports::held(const Forces& load, const State& settled) const {
   return result;
 }
 
-/// Forces of the supports on the plate that internal forces and loads ask for, along the directions of the rows.
-Eigen::VectorXd PushingSupports::reactions(const Forces& forces) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(Eigen::Index(rows_.size()));
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (const auto& [dof, value] : plate_.constraints().lifted(SupportOffsets::gap(rows_[i].point)))
-      result[Eigen::Index(i)] -= rows_[i].direction * value * at_dof(forces, dof);
-  return result;
-}
-
 void PushingSupports::add_columns(const std::vector<Eigen::Index>& rows) {
   constexpr std::size_t at_once = 32;  // as many states are held
   std::vector<Eigen::Index> missing;
@@ -75,12 +89,13 @@ void PushingSupports::add_columns(const std::vector<Eigen::Index>& rows) {
   for (std::size_t first = 0; first < missing.size(); first += at_once) {
     const auto count = std::min(missing.size() - first, at_once);
     std::vector<Forces> pulls(count);
-    for (std::size_t i = 0; i < count; ++i) plate_.internal_force(lift(std::size_t(missing[first + i])), pulls[i]);
+    for (std::size_t i = 0; i < count; ++i)
+      plate_.internal_force(rows_.lift(std::size_t(missing[first + i])), pulls[i]);
     auto states = factor_->solve(pulls);
     for (std::size_t i = 0; i < count; ++i) {
-      states[i] += lift(std::size_t(missing[first + i]));
+      states[i] += rows_.lift(std::size_t(missing[first + i]));
       plate_.internal_force(states[i], pulls[i]);
-      columns_[std::size_t(missing[first + i])] = reactions(pulls[i]);
+      columns_[std::size_t(missing[first + i])] = rows_.reactions(pulls[i]);
     }
   }
 }
@@ -103,17 +118,17 @@ Eigen::VectorXd PushingSupports::gaps(const std::vector<Eigen::Index>& open, con
   Eigen::VectorXd result = Eigen::VectorXd::Zero(count);
   if (gone.empty()) return result;
   result(gone) = Complementarity(stiffness(gone, gone), first(gone), std::vector<char>(gone.size(), 1)).x;
-  if (!((result - near).norm() < same * near.norm())) throw NumericalError(flies_off);
+  if (!((result - near).norm() < same * near.norm())) throw NumericalError(flies_off_supports);
   return result;
 }
 
 PushingSupports::Gaps PushingSupports::operator()(const Forces& load, const State& settled) {
   constexpr double rounding = 1e-10;
-  if (rows_.empty()) return {zero_like(load), {}};
+  if (rows_.size() == 0) return {zero_like(load), {}};
   Forces forces;
   plate_.internal_force(held(load, settled), forces);
   forces += load;
-  const Eigen::VectorXd first = reactions(forces);
+  const Eigen::VectorXd first = rows_.reactions(forces);
   const double least = -rounding * first.cwiseAbs().maxCoeff();
   Eigen::VectorXd now = first, gap;
   std::vector<Eigen::Index> open;
@@ -127,19 +142,14 @@ PushingSupports::Gaps PushingSupports::operator()(const Forces& load, const Stat
     try {
       gap = gaps(open, first);
     } catch (const NumericalError&) {
-      throw NumericalError(flies_off);
+      throw NumericalError(flies_off_supports);
     }
     now = first;
     for (std::size_t i = 0; i < open.size(); ++i) now += gap[Eigen::Index(i)] * columns_[std::size_t(open[i])];
   }
-  Gaps result{zero_like(load), {}};
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    if (!(gap[Eigen::Index(i)] > 0)) continue;
-    result.lift += gap[Eigen::Index(i)] * lift(std::size_t(open[i]));
-    result.lifted.share += 1.0 / double(rows_.size());
-    result.lifted.largest_gap = std::max(result.lifted.largest_gap, gap[Eigen::Index(i)]);
-  }
-  return result;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(first.size());
+  for (std::size_t i = 0; i < open.size(); ++i) all[open[i]] = gap[Eigen::Index(i)];
+  return {rows_.lift(all), rows_.lifted(all)};
 }
 
 }  // namespace plate

@@ -311,79 +311,20 @@ StaticResult StaticSolver::solved(const Operator& plate, const Forces& load, con
   return result;
 }
 
-namespace {
-
-constexpr auto flies = "nothing holds the plate any more where its soil lets it lift off: it tips or flies off";
-
-/// A plate that flies off goes so far that rounding hides what is left of its load.
-void require_sound(const Formulation& plate, const Forces& load, const State& lift, const State& state) {
-  constexpr double left = 1e-3;  // of the load
-  if (PrescribedDisplacements(plate, load, lift).residual(state).share > left) throw NumericalError(flies);
-}
-
-/// Collective: true where foundations are in contact at the same places on all ranks.
-bool same_everywhere(const Formulation& plate, const ContactState& one, const ContactState& other) {
-  bool differ = false;
-  const auto& parts = plate.boundary().elastic_supports.parts();
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    for (std::size_t p = 0; p < one[i].size(); ++p)
-      if (one[i][p] != other[i][p] && plate.boundary().owns(parts[i]->contact->point(p, plate.points()))) differ = true;
-  return largest_of(plate, differ) == 0;
-}
-
-/// Potential of a load that is not folded.
-double potential(const Formulation& plate, const Forces& load, const State& state) {
-  return -ordered_sum<1>(plate, plate.points(), [&](std::size_t k) {
-    const auto i = Eigen::Index(k);
-    return std::array<double, 1>{plate.boundary().owns(k) ? load.col(i).dot(state.col(i)) : 0};
-  })[0];
-}
-
-}  // namespace
-
-/// The energy is convex and has a continuous slope: a step of Newton that does not lower it is halved until it does.
 StaticResult StaticSolver::in_contact(const Forces& load, const StaticOptions& options, const State& lift) {
-  constexpr int most = 60, halvings = 12;
   const auto& elastic_supports = plate_->boundary().elastic_supports;
-  const auto energy = [&](const State& now) { return plate_->strain_energy(now) + potential(*plate_, load, now); };
   StaticResult result;
-  std::size_t iterations = 0;
-  auto touching = everywhere(elastic_supports);
-  State state;
-  for (int n = 0;; ++n) {
-    const PlateInContact plate(*plate_, elastic_supports, touching);
-    try {
-      result = lifted(plate, load, options, false, lift, n == 0 ? nullptr : &state);
-    } catch (const NotPositive&) {
-      throw NumericalError(flies);
-    }
-    auto& solution = result.solution;
-    iterations += solution.iterations;
-    solution.iterations = iterations;
-    if (!solution.converged) {
-      solution.stop_reason += fmt::format(", in step {} of the search for what soil touches", n + 1);
-      return result;
-    }
-    auto now = elastic_supports.touching(solution.state);
-    if (same_everywhere(*plate_, now, touching)) {
-      require_sound(*plate_, load, lift, solution.state);
-      solution.stop_reason += fmt::format(", what soil touches found in {} steps", n + 1);
-      return result;
-    }
-    if (n == most) {
-      solution.converged = false;
-      solution.stop_reason = fmt::format("what soil touches still changes after {} steps", most);
-      return result;
-    }
-    if (n > 0) {
-      const State step = solution.state - state;
-      const double before = energy(state);
-      double share = 1;
-      for (int i = 0; i < halvings && energy(state + share * step) > before; ++i) share /= 2;
-      if (share < 1) now = elastic_supports.touching(solution.state = state + share * step);
-    }
-    touching = std::move(now), state = std::move(solution.state);
-  }
+  const RestOnSoil rest{
+      .solve =
+          [&](const ContactState& touching, const State* start) {
+            result = lifted(PlateInContact(*plate_, elastic_supports, touching), load, options, false, lift, start);
+            return std::move(result.solution);
+          },
+      .touching = [&](const State& now) { return elastic_supports.touching(now); },
+      .energy = [&](const State& now) { return plate_->strain_energy(now) + potential(*plate_, load, now); }};
+  result.solution = contact_with_soil(*plate_, rest);
+  if (result.solution.converged) require_contact(*plate_, load, lift, result.solution.state);
+  return result;
 }
 
 StaticResult StaticSolver::lifted(const Operator& plate, const Forces& load, const StaticOptions& options, bool again,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "plate/solve/complementarity.hpp"
 #include "plate/solve/large_deflections.hpp"
@@ -40,24 +41,6 @@ Eigen::VectorXd StretchedContact::part(const State& bending, State& membrane, co
   return result;
 }
 
-Eigen::MatrixXd StretchedContact::columns(std::span<const Eigen::Index> some, const Solutions& solutions) const {
-  constexpr std::size_t at_once = 32;  // as many states are held
-  const auto count = rows_.arms().size();
-  Eigen::MatrixXd result(2 * count, Eigen::Index(some.size()));
-  for (std::size_t first = 0; first < some.size(); first += at_once) {
-    std::vector<Forces> loads;
-    for (auto i = first; i < std::min(some.size(), first + at_once); ++i) {
-      Forces on_bending = zero_forces(points_), on_plane = zero_forces(points_);
-      rows_.press(Eigen::VectorXd::Unit(2 * count, some[i]), on_bending, on_plane);
-      loads.push_back(stacked(on_bending, on_plane));
-    }
-    const auto states = solutions(loads);
-    for (std::size_t i = 0; i < states.size(); ++i)
-      result.col(Eigen::Index(first + i)) = rows_.openings(of_plate(states[i]), of_plane(states[i]));
-  }
-  return result;
-}
-
 /// Takes in the rows that are closed and, one set after the other, those that overlap without being among them.
 Eigen::VectorXd StretchedContact::forces(const Tangent& tangent, const Solutions& solutions) const {
   constexpr double rounding = 1e-10;
@@ -73,7 +56,7 @@ Eigen::VectorXd StretchedContact::forces(const Tangent& tangent, const Solutions
   Eigen::VectorXd result = Eigen::VectorXd::Zero(free.size());
   Eigen::MatrixXd of_rows(free.size(), 0);
   for (std::size_t known = 0; known < rows.size();) {
-    const auto added = columns(std::span(rows).subspan(known), solutions);
+    const auto added = rows_.columns(std::span(rows).subspan(known), points_, solutions);
     of_rows.conservativeResize(Eigen::NoChange, Eigen::Index(rows.size()));
     of_rows.rightCols(added.cols()) = added, known = rows.size();
     Eigen::MatrixXd C = of_rows(rows, Eigen::all);

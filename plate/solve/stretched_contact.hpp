@@ -1,6 +1,4 @@
 #pragma once
-#include <span>
-
 #include "plate/solve/crack_contact.hpp"
 
 namespace plate {
@@ -34,9 +32,6 @@ public:
   Eigen::VectorXd forces(const Tangent& tangent, const Solutions& solutions) const;
 
 private:
-  /// Openings of all rows by unit forces on some [rows x some].
-  Eigen::MatrixXd columns(std::span<const Eigen::Index> some, const Solutions& solutions) const;
-
   std::size_t points_;
   const MiddlePlane& plane_;
   FaceRows rows_;

@@ -10,6 +10,7 @@
 #include "plate/formulation/mechanisms.hpp"
 #include "plate/formulation/pieces.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/process.hpp"
 #include "plate/model/reduction.hpp"
@@ -73,7 +74,7 @@ void check_two_level(const Formulation& plate, const Analysis& analysis, Validat
 void check_memory(const Formulation& plate, const Analysis& analysis, Validation& result) {
   constexpr double per_bond = 330;
   const auto& problem = plate.problem();
-  if (!(problem.stretches || problem.coupled()) || analysis.kind == Analysis::Kind::dynamic) return;
+  if (!(problem.stretches || rests_with_plane(problem)) || analysis.kind == Analysis::Kind::dynamic) return;
   const double bytes =
       per_bond * double(plate.bonds() + plate.fictitious_bonds()) * std::log2(double(plate.points()) + 2);
   const double there = free_memory(), spacing = plate.discretization().spacing;

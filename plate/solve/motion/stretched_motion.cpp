@@ -9,6 +9,7 @@
 #include "plate/formulation/inertia.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/analysis.hpp"
@@ -154,7 +155,7 @@ TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts
 }
 
 State StretchedMotion::at_rest(const Analysis& analysis) const {
-  if (linear_) {
+  if (rests_with_plane(plate_.problem())) {
     const PlateLoads loads{plate_.first_load(), membrane_.first_load()};
     if (largest_of(plate_, loads.across.isZero(0) && loads.in_plane.isZero(0) ? 0 : 1) == 0) return {};
     auto found = CoupledPlate(plate_, membrane_)

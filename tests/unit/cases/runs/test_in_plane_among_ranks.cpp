@@ -425,3 +425,18 @@ TEST_CASE("a plate in parts: faces of cracks that touch in motion") {
     if (!bonds) CHECK(apart(ordinary, other, "srif", {"K1", "K2", "K3", "N1", "N2"}) < 1e-10);
   }
 }
+
+TEST_CASE("a plate in parts: faces that touch on soil that lifts off") {
+  auto settings = with_touching_faces(false);
+  settings.insert(settings.end(),
+                  {"load[0].value=0.05", "load[2]={kind='point_force',position=[0.3,-0.3],value=-0.1}",
+                   "analysis={kind='static',tolerance=1e-10}", "foundation=[{modulus=5,lifts_off=true}]"});
+  const auto file = read(plain, settings);
+  const auto ordinary = found(file, 0), many = found(file, 3);
+  CHECK(many.warnings == ordinary.warnings);
+  // measured 1.3e-14, 2.1e-14, 8.6e-14, 2.4e-11
+  CHECK(apart(ordinary, many, "contact", {"x", "opening_top", "pressure_bottom"}) < 1e-11);
+  CHECK(apart(ordinary, many, "history", {"strain_energy", "external_work", "max_abs_w"}) < 1e-11);
+  CHECK(apart(ordinary, many, "probes", {"w", "u", "v"}) < 1e-11);
+  CHECK(apart(ordinary, many, "srif", {"K1", "K2", "N1"}) < 1e-9);
+}

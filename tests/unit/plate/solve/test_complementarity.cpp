@@ -61,3 +61,16 @@ TEST_CASE("complementarity: a matrix that is not positive is refused") {
   Eigen::MatrixXd C = -Eigen::MatrixXd::Identity(3, 3);
   CHECK_THROWS_AS(Complementarity(C, Eigen::Vector3d(-1, -1, -1)), NumericalError);
 }
+
+TEST_CASE("complementarity: gaps beside forces, of which each moves the other against itself") {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    auto [C, c] = random_system(30, seed);
+    const Eigen::MatrixXd beside = random_system(30, seed + 100).C.topRightCorner(12, 18);
+    C.topRightCorner(12, 18) = -beside, C.bottomLeftCorner(18, 12) = beside.transpose();
+    const Complementarity found(C, c, {}, Complementarity::Shape::mixed);
+    CHECK((found.rest - C * found.x - c).norm() < 1e-9 * c.norm());
+    CHECK(found.x.minCoeff() >= 0);
+    CHECK(found.rest.minCoeff() > -1e-9);
+    CHECK(found.x.cwiseProduct(found.rest).cwiseAbs().maxCoeff() < 1e-9);
+  }
+}
