@@ -176,9 +176,6 @@ const std::vector<Exclusion> excluded_pairs{
      "supports that only push are not found with large deflections yet: remove it, or analysis.nonlinear"},
     {pushing_supports, unilateral_foundation, support_pushes,
      "contact of soil and of supports are not found together yet: remove it, or lifts_off"},
-    {pushing_supports, coupled_section, support_pushes,
-     "supports that only push are not found beside coupled bending and stretching yet: remove it, make plies "
-     "symmetric, or remove stiffener[].eccentricity"},
     {pushing_supports, factors_to_accuracy, "srif.accuracy",
      "goes by error estimates that were measured on supports that hold both ways: remove it, and state the spacing"},
     {pushing_supports, nodes_on_edges, "discretization.boundary",
@@ -307,12 +304,6 @@ const std::vector<Exclusion> excluded_pairs{
      "\"lanczos\" moves plates that bend alone, and bending and stretching are coupled; choose \"central_difference\""},
     {coupled_section, stiffness_damping, "analysis.damping",
      "damping by the stiffness does not act in the plane yet: give mass alone"},
-    {coupled_section, touching_faces, "cracks.contact",
-     "contact is found where only faces that touch couple bending and stretching: remove it, or "
-     "stiffener[].eccentricity"},
-    {coupled_section, unilateral_foundation, "foundation",
-     "soil that lifts off is not found beside coupled bending and stretching yet: remove lifts_off, make plies "
-     "symmetric, or remove stiffener[].eccentricity"},
     {coupled_section, growth, "growth",
      "cracks grow by factors of bending and tension that do not act on each other: remove it, or "
      "stiffener[].eccentricity"},

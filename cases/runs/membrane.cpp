@@ -492,8 +492,8 @@ std::vector<std::string> warnings_about_rotations(double largest) {
 }
 
 bool may_touch(const Case& c, const plate::Formulation& plate) {
-  return !c.coupled() && !c.ties_faces() && c.analysis.control == plate::LoadControl::load &&
-         (!c.growth || c.grows_at_rest()) && plate.offers(plate::Feature::touching_faces);
+  return !c.ties_faces() && c.analysis.control == plate::LoadControl::load && (!c.growth || c.grows_at_rest()) &&
+         plate.offers(plate::Feature::touching_faces);
 }
 
 std::vector<std::string> warnings_about_overlaps(const std::vector<post::Srif>& srifs, bool may_touch) {

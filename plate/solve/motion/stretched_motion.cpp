@@ -16,6 +16,7 @@
 #include "plate/solve/coupled_plate.hpp"
 #include "plate/solve/large_deflections.hpp"
 #include "plate/solve/motion/dynamics.hpp"
+#include "plate/solve/plate_in_contact.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
 #include "plate/solve/statics.hpp"
 
@@ -188,7 +189,10 @@ double stable_time_step(const Formulation& plate, const Formulation& membrane, d
   const auto of_linear = [&] {
     if (plate.problem().coupled()) {
       const StretchedMotion both(plate, membrane, rotary);
-      return stable_time_step(*both.coupled(), both.constraints(), both.mass());
+      const auto coupling = plate.coupling();
+      const auto& elastic_supports = plate.boundary().elastic_supports;
+      const PlateInContact touched(plate, elastic_supports, everywhere(elastic_supports));
+      return stable_time_step(*CoupledPlate::stiffness(touched, membrane, coupling), both.constraints(), both.mass());
     }
     const Forces mass = whole_mass(mass_in_plane(plate), membrane.constraints());
     return std::min(stable_time_step(plate, rotary),

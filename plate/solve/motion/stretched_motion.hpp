@@ -72,8 +72,6 @@ public:
   Stretch stretch(const State& bending) const;
   /// The middle plane where it stretches, else null.
   const Stretching* stretching() const { return stretching_.get(); }
-  /// The linear stiffness where bending and stretching are coupled, else null.
-  const Operator* coupled() const { return linear_.get(); }
 
 private:
   const Formulation& plate_;

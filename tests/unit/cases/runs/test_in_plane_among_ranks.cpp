@@ -426,13 +426,17 @@ TEST_CASE("a plate in parts: faces of cracks that touch in motion") {
   }
 }
 
-TEST_CASE("a plate in parts: faces that touch on soil that lifts off") {
+TEST_CASE("a plate in parts: faces that touch on soil that lifts off, and beside ribs on one side") {
+  const auto scene = GENERATE(as<std::string>(), "soil", "rib on soil");
   auto settings = with_touching_faces(false);
   settings.insert(settings.end(),
                   {"load[0].value=0.05", "load[2]={kind='point_force',position=[0.3,-0.3],value=-0.1}",
                    "analysis={kind='static',tolerance=1e-10}", "foundation=[{modulus=5,lifts_off=true}]"});
+  if (scene == "rib on soil")
+    settings.emplace_back("stiffener=[{along=[[-0.42,-0.7],[-0.35,0.7]],bending=0.05,axial=30.0,eccentricity=0.15}]");
   const auto file = read(plain, settings);
   const auto ordinary = found(file, 0), many = found(file, 3);
+  INFO(scene);
   CHECK(many.warnings == ordinary.warnings);
   // measured 1.3e-14, 2.1e-14, 8.6e-14, 2.4e-11
   CHECK(apart(ordinary, many, "contact", {"x", "opening_top", "pressure_bottom"}) < 1e-11);

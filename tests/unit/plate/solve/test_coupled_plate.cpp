@@ -126,7 +126,8 @@ Eigen::VectorXd gaps_of(const Formulation& plate, const PushedPoints& points, co
 }  // namespace
 
 TEST_CASE("coupled plate: supports that only push and faces that touch are complementary together") {
-  const auto [formulation, ribbed] = GENERATE(table<std::string, bool>({{"galerkin", false}, {"ordinary", false}}));
+  const auto [formulation, ribbed] =
+      GENERATE(table<std::string, bool>({{"galerkin", false}, {"galerkin", true}, {"ordinary", false}}));
   CAPTURE(formulation, ribbed);
   const auto plates = pressed_on_supports(formulation, ribbed);
   const auto &plate = *plates.plate, &membrane = *plates.membrane;
