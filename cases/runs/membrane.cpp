@@ -67,9 +67,9 @@ std::vector<std::string> warnings_about_pins(const plate::Formulation& membrane,
           force / (std::numbers::pi * std::sqrt(2 * away) * std::max(std::abs(one->K1), std::abs(one->K2)));
       if (!(share > worst)) continue;
       worst = share;
-      result = {
-          fmt::format("{} pulls with {:.3g} at {:.2g} from tip {} and changes its N1, N2; move support[{}].points",
-                      holder.name, force, away, one->tip, holder.support)};
+      result = {fmt::format(
+          "{} pulls with {:.3g} at {:.2g} from tip {} and changes its N1, N2; set support[{}].points elsewhere",
+          holder.name, force, away, one->tip, holder.support)};
     }
   }
   return result;
@@ -487,7 +487,7 @@ std::vector<std::string> warnings_about_pressed_faces(const plate::Formulation& 
 std::vector<std::string> warnings_about_rotations(double largest) {
   constexpr double moderate = 0.3;
   if (largest <= moderate) return {};
-  return {fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; reduce the loads", largest,
+  return {fmt::format("rotations reach {:.2g}: von Karman's strains hold up to about {:g}; set smaller loads", largest,
                       moderate)};
 }
 

@@ -327,8 +327,8 @@ FactorsFound rows_of(AccuracyFound found, const std::optional<std::vector<double
 
 std::vector<std::string> warnings_about(const AccuracySummary& found) {
   if (found.ended_by.empty()) return {};
-  return {fmt::format("`accuracy` = {:g} not reached, estimated error {}: ended by {}", found.asked,
-                      found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.ended_by)};
+  return {fmt::format("`accuracy` = {:g} not reached, estimated error {}: ended by {}; set `accuracy` larger",
+                      found.asked, found.reached ? fmt::format("{:.2g}", *found.reached) : "unknown", found.ended_by)};
 }
 
 }  // namespace post

@@ -2,6 +2,8 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <exception>
 #include <filesystem>
@@ -39,8 +41,28 @@ inline std::vector<std::string> warnings_in(const std::string& json) {
   return result;
 }
 
+/// True where a warning names a value to set, or where it only says how the case was read or what it comes to.
+inline bool says_what_to_set(const std::string& warning) {
+  static constexpr std::array notes{" taken to end there",
+                                    " taken as",
+                                    " overrides the unit",
+                                    "computed with its image",
+                                    " of the case not used",
+                                    " loads cancel",
+                                    " along w cancel",
+                                    " in the plane cancel",
+                                    "no load does so",
+                                    "too many to look for",
+                                    "buckle in",
+                                    "accuracy not reached",
+                                    "reactions balance the",
+                                    "left out"};
+  return warning.find("set ") != std::string::npos ||
+         std::ranges::any_of(notes, [&](const char* note) { return warning.find(note) != std::string::npos; });
+}
+
 /// Checks that warnings in every summary.json below a folder have at most 25 words, 3 of them for "load case NAME: ",
-/// and name settings by their keys.
+/// name settings by their keys, and say what to set.
 inline void check_warnings(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code none;
@@ -52,6 +74,7 @@ inline void check_warnings(const std::filesystem::path& folder) {
       std::istringstream words(named ? warning.substr(warning.find(": ") + 1) : warning);
       INFO(warning);
       CHECK(warning.find('`') == std::string::npos);
+      CHECK(says_what_to_set(warning));
       CHECK(std::distance(std::istream_iterator<std::string>(words), {}) <= (named ? 22 : 25));
     }
   }

@@ -110,7 +110,7 @@ TEST_CASE("accuracy: what ends the search before is said, and the error that was
   CHECK_FALSE(summary.accuracy->reached);
   CHECK_THAT(summary.warnings,
              Catch::VectorContains(std::string("srif.accuracy = 1e-05 not reached, estimated error unknown: ended "
-                                               "by srif.accuracy_seconds")));
+                                               "by srif.accuracy_seconds; set srif.accuracy larger")));
 }
 
 TEST_CASE("accuracy: lengths follow the sizes of the plate, its tips and holes, whatever the units") {
@@ -246,7 +246,7 @@ TEST_CASE("accuracy: factors in the plane that were not reached are told, and mo
   CHECK_FALSE(summary.accuracy->reached);
   CHECK_THAT(summary.warnings,
              Catch::VectorContains(std::string("srif.accuracy = 1e-05 not reached, estimated error unknown: ended by "
-                                               "srif.accuracy_seconds")));
+                                               "srif.accuracy_seconds; set srif.accuracy larger")));
   const auto problems = case_text::problems(
       strip, {"analysis.kind=dynamic", "analysis.duration=1e-3", "section.density=2500", "output.history_every=1e-4"});
   REQUIRE_FALSE(problems.empty());

@@ -22,7 +22,7 @@ TEST_CASE("read_summary: what was written is read, to the last digit") {
   summary.peaks = {{"K1", 2, -0.7, 0.3, {}, {}}, {"w", std::nullopt, 5, 0.4, {}, {}}};
   summary.frequencies = {{1, 2.5, 15.7, 1e-5}};
   summary.growth = post::GrowthSummary{"no tip is left", 3, 0.5, 1.5, {}, {}, {}, {0.3, 0.4}};
-  summary.warnings = {"a", "b"};
+  summary.warnings = {"set a", "set b"};
   const small_run::TemporaryFolder folder;
   std::ofstream(folder / "summary.json") << post::to_json(summary);
   const auto read = post::read_summary(folder / "summary.json");
