@@ -56,7 +56,9 @@ inline bool says_what_to_set(const std::string& warning) {
                                     "buckle in",
                                     "accuracy not reached",
                                     "reactions balance the",
-                                    "left out"};
+                                    "left out",
+                                    "chords of curves are",
+                                    "the plate snaps"};
   return warning.find("set ") != std::string::npos ||
          std::ranges::any_of(notes, [&](const char* note) { return warning.find(note) != std::string::npos; });
 }
