@@ -118,7 +118,7 @@ cases::Case on_soil(const FormulationKind* kind, const Load& wheel) {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 0.6), 0.05);
   c.discretization.formulation = kind;
   c.section = vp::section;
-  c.foundations = {Foundation{.modulus = 2000}};
+  c.foundations = {Foundation{.modulus = 2000, .patch = {}}};
   c.loads = {wheel};
   return c;
 }
@@ -140,7 +140,7 @@ cases::Case on_ice(const FormulationKind* kind, const Point& begin, const Point&
   c.discretization.formulation = kind;
   c.section = {.young = 5e9, .poisson = 0.3, .thickness = 0.3, .density = 917};
   c.cracks = {{{6.4, 0}, {6.4, 4}}};
-  c.foundations = {Foundation{.modulus = 1e4}};
+  c.foundations = {Foundation{.modulus = 1e4, .patch = {}}};
   c.loads = {wheel(begin, end, speed, 0.3, -50e3)};
   return c;
 }

@@ -10,7 +10,7 @@
 
 TEST_CASE("lines: pieces within the plate, and integrals over them without what lies beside") {
   auto content = case_text::read(case_text::plain, {"geometry.cracks=[]", "discretization.spacing=0.1"}).content;
-  content.outline.holes = {geometry::Circle{{0, 0}, 0.25}};
+  content.outline.holes = {geometry::Circle{{0, 0}, 0.25, {}}};
   const auto plate = plate::discretise(content).plate;
   const auto line = post::sampled_line("cut", {-1.5, 0}, {1.5, 0}, *plate);
   REQUIRE(!line.places.empty());
