@@ -1,6 +1,7 @@
 #include "plate/formulation/support_constraints.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -199,7 +200,10 @@ std::vector<Point> places_inside(const std::vector<Support>& supports, const geo
   return result;
 }
 
-std::vector<Point> own_places(const Problem& c, const std::vector<geometry::CrackPath>& paths, double spacing) {
+namespace {
+
+/// The places of own_places() but for those of supports on lines and parts.
+std::vector<Point> places_of_points(const Problem& c) {
   std::vector<Point> points;
   for (const auto& support : c.supports) points.insert(points.end(), support.points.begin(), support.points.end());
   for (const auto& load : c.loads)
@@ -207,7 +211,54 @@ std::vector<Point> own_places(const Problem& c, const std::vector<geometry::Crac
   for (const auto& spring : c.springs)
     if (spring.position) points.push_back(*spring.position);
   if (c.impact) points.push_back(c.impact->position);
-  for (const auto& x : places_inside(c.supports, c.outline, paths, spacing)) points.push_back(x);
+  return points;
+}
+
+}  // namespace
+
+std::vector<geometry::Circle> parting_discs(const Problem& c, const std::vector<geometry::CrackPath>& paths,
+                                            double spacing) {
+  std::vector<geometry::Circle> discs;
+  std::vector<Support> others;
+  for (const auto& support : c.supports)
+    if (support.kind != SupportKind::hub || !support.patch)
+      others.push_back(support);
+    else
+      discs.push_back(std::get<geometry::Circle>(*support.patch)),
+          discs.back().name = "hub" + std::to_string(discs.size() - 1);
+  auto places = places_of_points(c);
+  for (const auto& x : places_inside(others, c.outline, paths, spacing)) places.push_back(x);
+  std::vector<geometry::Circle> result;
+  for (const auto& disc : discs) {
+    const double clear = disc.radius + spacing / 2;
+    const bool other = std::ranges::any_of(discs, [&](const auto& next) {
+      return next.name != disc.name && (next.centre - disc.centre).norm() < clear + next.radius;
+    });
+    const bool crack = std::ranges::any_of(
+        paths, [&](const auto& path) { return geometry::distance(path.vertices, disc.centre) < clear; });
+    const bool place = std::ranges::any_of(
+        places, [&](const Point& x) { return std::abs((x - disc.centre).norm() - disc.radius) < spacing / 2; });
+    const bool inside = geometry::distance_to_boundary(c.outline, disc.centre) >= clear;
+    if (inside && disc.radius >= spacing && !other && !crack && !place) result.push_back(disc);
+  }
+  return result;
+}
+
+geometry::CrackPath rim_path(const geometry::Circle& circle, double spacing) {
+  return {around(circle, spacing), geometry::End::junction, geometry::End::junction};
+}
+
+std::vector<Point> own_places(const Problem& c, const std::vector<geometry::CrackPath>& paths, double spacing) {
+  auto points = places_of_points(c);
+  const auto parting = parting_discs(c, paths, spacing);
+  auto supports = c.supports;
+  std::erase_if(supports, [&](const Support& support) {
+    const auto* disc = support.patch ? std::get_if<geometry::Circle>(&*support.patch) : nullptr;
+    return disc && support.kind == SupportKind::hub && std::ranges::any_of(parting, [&](const auto& other) {
+             return other.centre == disc->centre && other.radius == disc->radius;
+           });
+  });
+  for (const auto& x : places_inside(supports, c.outline, paths, spacing)) points.push_back(x);
   return points;
 }
 

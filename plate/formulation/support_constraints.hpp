@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/constraints.hpp"
 #include "plate/model/nodal_forces.hpp"
@@ -65,7 +66,16 @@ void hold_place(Boundary& boundary, std::uint32_t point, const geometry::Point& 
 std::vector<geometry::Point> places_inside(const std::vector<Support>& supports, const geometry::Outline& outline,
                                            const std::vector<geometry::CrackPath>& cracks, double spacing);
 
-/// The places where loads and supports act, which get a point of their own. `spacing`: between those on lines.
+/// Discs of hubs on the plate along whose rims its cells are parted [length]: the rim then has points of the plate
+/// about it, and points of the disc. None reaches an edge, a crack or another place that gets a point by less than half
+/// a spacing; their names are those of their reactions.
+std::vector<geometry::Circle> parting_discs(const Problem& problem, const std::vector<geometry::CrackPath>& paths,
+                                            double spacing);
+/// Closed polygon of places on a circle, at most `spacing` apart [length], as a path that parts cells.
+geometry::CrackPath rim_path(const geometry::Circle& circle, double spacing);
+
+/// The places where loads and supports act, which get a point of their own, but for the rims of parting_discs().
+/// `spacing`: between those on lines.
 std::vector<geometry::Point> own_places(const Problem& problem, const std::vector<geometry::CrackPath>& paths,
                                         double spacing);
 

@@ -80,9 +80,34 @@ geometry::Grading grading_of(const Problem& c, double factor) {
   return result;
 }
 
+namespace {
+
+/// Gives the borders on the rims of discs their names: they are no faces of cracks.
+void name_rims(Tessellation& cells, const std::vector<geometry::Circle>& discs) {
+  const double beside = 0.25 * cells.units.spacing;  // cracks are farther from rims
+  for (const auto& disc : discs) {
+    const auto on_rim = [&](std::uint32_t k) {
+      return std::abs((cells.positions[k] - disc.centre).norm() - disc.radius) < beside;
+    };
+    for (auto& border : cells.borders)
+      if (border.edge == geometry::Curves::crack && on_rim(border.from) && on_rim(border.to))
+        border.edge = std::int32_t(cells.names.size());
+    cells.names.push_back(disc.name);
+  }
+}
+
+}  // namespace
+
 Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
   const double spacing = factor * c.discretization.spacing;
-  return geometry::tessellation(c.outline, paths, spacing, own_places(c, paths, spacing), grading_of(c, factor));
+  const auto grading = grading_of(c, factor);
+  const auto discs = parting_discs(c, paths, spacing);
+  auto parting = paths;
+  for (const auto& disc : discs)
+    parting.push_back(rim_path(disc, std::min(spacing, grading.at_holes.value_or(spacing))));
+  auto result = geometry::tessellation(c.outline, parting, spacing, own_places(c, paths, spacing), grading);
+  name_rims(result, discs);
+  return result;
 }
 
 std::variant<GlobalCells, Refusal> possible_cells(const Problem& c, const std::vector<geometry::CrackPath>& paths,

@@ -224,6 +224,13 @@ TEST_CASE("a hub beside the middle of a clamped square carries what spectral ele
   }
 }
 
+TEST_CASE("a disc on the plate carries what a hub in a hole does") {
+  for (const double degrees : {0.0, 27.0}) {
+    check_eccentric(galerkin, false, "all", degrees, 0.02, {0.005, 0.005, 0.005, 0.005});
+    check_eccentric(galerkin, false, "patch", degrees, 0.02, {0.005, 0.005, 0.005, 0.005});
+  }
+}
+
 TEST_CASE("a hub in the middle of a clamped disc carries what the annulus of Mindlin says") {
   constexpr double outer = 1, inner = 0.2, middle = 0.6;
   for (const auto& springs : {Springs{{}, 0.0}, Springs{{}, {}}, Springs{0.5, 0.0}, Springs{0.5, {}}}) {
