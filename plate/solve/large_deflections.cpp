@@ -138,6 +138,8 @@ std::vector<Dof> pins_of(const Formulation& membrane) {
   DisjointSets sets(membrane.points());
   for (std::uint32_t k = 0; k < membrane.points(); ++k)
     for (const auto& bond : membrane.families()[k]) sets.join(k, bond.neighbour);
+  for (const auto& tie : membrane.constraints().ties())
+    sets.join(tie.follower.point, tie.leader.point);  // a hub's disc
   membrane.boundary().elastic_supports.for_each_joined([&](std::uint32_t k, std::uint32_t j) { sets.join(k, j); });
   std::vector<std::vector<std::uint32_t>> pieces(membrane.points());
   for (std::uint32_t k = 0; k < membrane.points(); ++k) pieces[sets.root(k)].push_back(k);

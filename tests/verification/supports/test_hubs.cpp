@@ -338,6 +338,22 @@ TEST_CASE("a hub is carried by large deflections, and refused where a disc would
   CHECK_THAT(refused[0].what, Catch::Contains("remove k_phi"));
 }
 
+TEST_CASE("large deflections about a clamped disc on the plate are those about one in a hole") {
+  for (const auto in_plane : {InPlane::fixed, InPlane::free}) {  // of the edge; free: nothing holds the plate there
+    const auto deflection = [&](bool hole) {
+      auto c = turned_square(0, {{}, {}}, hole, 0.05);
+      c.supports[0].in_plane = in_plane;
+      c.stretches = true;
+      const auto plates = discretise(c);
+      const auto found = StretchedPlate(*plates.plate, *plates.membrane)
+                             .equilibrium({plates.plate->total_load(), plates.membrane->total_load()}, {1e-10, {}});
+      CHECK(found.converged);
+      return found.bending.row(0).cwiseAbs().maxCoeff();
+    };
+    CHECK(deflection(false) == Approx(deflection(true)).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a canopy on four fixings sinks more with hubs that turn than with simply supported rims") {
   using enum SupportKind;
   const std::vector<std::string> rims{"hole0", "hole1", "hole2", "hole3"};

@@ -76,7 +76,7 @@ TEST_CASE("hubs: those that are free in the plane hold nothing there") {
                          "load=[{ kind = 'body_force', vector = [1, 0] }]"})
             .content;
     const auto membrane = discretise(content).membrane;
-    REQUIRE(membrane->pieces().size() == 1);
-    CHECK(membrane->pieces().front().free_modes == (fixed ? 0 : 3));
+    CHECK(membrane->pieces().size() == (fixed ? 2 : 1));  // a disc that is held is no part of the plate
+    for (const auto& piece : membrane->pieces()) CHECK(piece.free_modes == (fixed ? 0 : 3));
   }
 }
