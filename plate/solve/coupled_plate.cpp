@@ -121,7 +121,7 @@ private:
   Eigen::VectorXd solved(const Eigen::VectorXd& c) const;
 
   Eigen::Index gaps_;       // number of these
-  Eigen::MatrixXd matrix_;  // of gaps, then of faces, with ones on its diagonal
+  Eigen::MatrixXd matrix_;  // of gaps, then of faces, with ones at most on its diagonal
   Eigen::VectorXd scale_;   // which makes them so
 };
 
@@ -146,6 +146,8 @@ CoupledPlate::Linear::Linear(const CoupledPlate& of, const ContactState& touchin
   }
   if (gaps_ > 0) add_gaps(of);
   scale_ = matrix_.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
+  if (gaps_ > 0)  // by the largest: those of points that lift without resistance are rounding
+    scale_.head(gaps_).setConstant(1 / std::sqrt(std::max(matrix_.diagonal().head(gaps_).maxCoeff(), 1e-300)));
   matrix_ = (scale_.asDiagonal() * matrix_ * scale_.asDiagonal()).eval();
 }
 

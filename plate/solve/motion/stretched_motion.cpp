@@ -158,9 +158,11 @@ TouchingFaces StretchedMotion::touching(const std::vector<PairContact>& contacts
 State StretchedMotion::at_rest(const Analysis& analysis) const {
   if (rests_with_plane(plate_.problem())) {
     const PlateLoads loads{plate_.first_load(), membrane_.first_load()};
-    if (largest_of(plate_, loads.across.isZero(0) && loads.in_plane.isZero(0) ? 0 : 1) == 0) return {};
+    const State lift = first_lift(plate_);
+    const bool nothing = loads.across.isZero(0) && loads.in_plane.isZero(0) && lift.isZero(0);
+    if (largest_of(plate_, nothing ? 0 : 1) == 0) return {};
     auto found = CoupledPlate(plate_, membrane_)
-                     .equilibrium(loads, {StaticOptions{}.tolerance, analysis.max_iterations, {}})
+                     .equilibrium(loads, {StaticOptions{}.tolerance, analysis.max_iterations, {}}, lift)
                      .of_both;
     if (!found.converged)
       throw NumericalError(
