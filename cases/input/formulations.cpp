@@ -221,6 +221,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   c.discretization = {};
   c.discretization.spacing = given.spacing;
   c.discretization.formulation = &plate::other_formulation(*given.formulation);
+  if (c.discretization.formulation->offers(Feature::graded_points)) c.discretization.refine_tips = given.refine_tips;
   c.formulation_reason = "the other one of srif.second_formulation";
   c.analysis.preconditioner = plate::Preconditioning::automatic;
   c.analysis.precision = Analysis::Precision::double_;
