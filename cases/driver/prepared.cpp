@@ -86,7 +86,7 @@ plate::Discretised discretised(const CaseFile& file, const plate::Communicator& 
                            plate::warnings_about_rotary_inertia(plate, c.analysis.rotary_inertia),
                            c.growth ? fracture::warnings_about_bonds(*c.growth, plate) : std::vector<std::string>(),
                            plate::warnings_about_mechanisms(plate), plate::warnings_about_held_holes(c),
-                           plate::warnings_about_axial_stiffness(c)})
+                           plate::warnings_about_hubs(c), plate::warnings_about_axial_stiffness(c)})
     warnings.insert(warnings.end(), some.begin(), some.end());
   if (c.analysis.kind == Analysis::Kind::frequencies)  // which have no stress
     std::erase_if(warnings, [](const std::string& line) { return line.starts_with("stress of bonds"); });

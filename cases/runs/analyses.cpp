@@ -13,6 +13,7 @@
 #include "plate/formulation/constraints.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/model/errors.hpp"
+#include "plate/model/membrane.hpp"
 #include "plate/model/problem.hpp"
 #include "plate/model/reduction.hpp"
 #include "plate/solve/archive.hpp"
@@ -92,7 +93,9 @@ void SinglePlate::solve_static() {
                                        progress.update(std::log(residual) / std::log(analysis_.tolerance),
                                                        fmt::format("iteration {}, residual {:.1e}", i, residual));
                                      }};
-  auto result = ready_.solution ? *ready_.solution : plate::static_solution(plate_, analysis_, options);
+  auto result = ready_.solution                      ? *ready_.solution
+                : plate::rests_with_plane(content()) ? plate::StaticResult{}  // contact finds it
+                                                     : plate::static_solution(plate_, analysis_, options);
   const MembraneFactorsWanted in_plane_wanted{
       .options = content().srif,
       .methods = ready_.membrane_methods,

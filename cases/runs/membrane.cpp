@@ -346,16 +346,21 @@ Touched touched(const plate::Formulation& plate, const plate::Formulation& membr
   return result;
 }
 
-/// Replaces `bending` where contact of faces changes what else touches: soil, supports that only push.
+/// Finds `bending` where contact of faces changes what else touches: soil, supports that only push.
 Touched touched_beside(const plate::Formulation& plate, const plate::Formulation& membrane,
                        const plate::Analysis& analysis, plate::StaticResult& bending) {
   const plate::CoupledPlate both(plate, membrane);
   auto found = both.equilibrium({plate.total_load(), membrane.total_load()},
                                 {analysis.tolerance, analysis.max_iterations, {}}, plate::total_lift(plate));
   require_equilibrium(plate, found.of_both, analysis.tolerance, "in equilibrium with contact");
-  bending.solution.state = std::move(found.bending), bending.strained = std::move(found.strained);
-  if (found.lifted) bending.lifted = found.lifted;
-  return {std::move(found.membrane), std::move(*found.touching), found.of_both.residual, both.factor_bytes()};
+  const double residual = found.of_both.residual;
+  bending = {.solution = std::move(found.of_both),
+             .method = "direct",
+             .preconditioner = {},
+             .strained = std::move(found.strained),
+             .lifted = found.lifted};
+  bending.solution.state = std::move(found.bending);
+  return {std::move(found.membrane), std::move(*found.touching), residual, both.factor_bytes()};
 }
 
 }  // namespace

@@ -220,12 +220,14 @@ std::vector<geometry::Circle> parting_discs(const Problem& c, const std::vector<
                                             double spacing) {
   std::vector<geometry::Circle> discs;
   std::vector<Support> others;
-  for (const auto& support : c.supports)
-    if (support.kind != SupportKind::hub || !support.patch)
+  for (const auto& support : c.supports) {
+    if (support.kind != SupportKind::hub || !support.patch) {
       others.push_back(support);
-    else
-      discs.push_back(std::get<geometry::Circle>(*support.patch)),
-          discs.back().name = "hub" + std::to_string(discs.size() - 1);
+      continue;
+    }
+    const auto& [centre, radius, name] = std::get<geometry::Circle>(*support.patch);
+    discs.push_back({centre, radius, "hub" + std::to_string(discs.size())});
+  }
   auto places = places_of_points(c);
   for (const auto& x : places_inside(others, c.outline, paths, spacing)) places.push_back(x);
   std::vector<geometry::Circle> result;

@@ -179,6 +179,10 @@ void check_hub(const Problem& problem, std::size_t i, std::vector<Refusal>& foun
                        fmt::format("\"{}\" is no round hole, which a hub would fill: give holes of circles", edge)});
   if (support.patch && !std::holds_alternative<geometry::Circle>(*support.patch))
     found.push_back({Subject::support_patch, i, "a hub is round: give on = { circle = [x, y, radius] }"});
+  if (const auto* disc = support.patch ? std::get_if<geometry::Circle>(&*support.patch) : nullptr)
+    if (std::ranges::all_of(problem.outline.outer.vertices,
+                            [&](const geometry::Point& x) { return (x - disc->centre).norm() <= disc->radius; }))
+      found.push_back({Subject::support_patch, i, "the disc covers the whole plate: give a smaller radius"});
   if (support.holds_one_way())
     found.push_back({Subject::support_in_plane, i, "a hub moves as one body: choose \"fixed\" or \"free\""});
   if (support.patch && support.k_phi && problem.stretches)

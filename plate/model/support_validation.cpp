@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/shape/crack_path.hpp"
 #include "geometry/shape/patch.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/model/problem.hpp"
@@ -328,6 +329,31 @@ std::vector<std::string> warnings_about_held_holes(const Problem& problem) {
   };
   say(level, "simply_supported all round hinders the rim's turn");
   say(pinned, "pins on the rim hold the plate too softly");
+  return result;
+}
+
+std::vector<std::string> warnings_about_hubs(const Problem& problem) {
+  const double spacing = problem.discretization.spacing;
+  std::vector<geometry::Circle> discs;
+  for (const auto& support : problem.supports)
+    if (support.kind == SupportKind::hub && support.patch) discs.push_back(std::get<geometry::Circle>(*support.patch));
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const auto& [centre, radius, name] = discs[i];
+    double least = INFINITY;
+    const auto look = [&, radius = radius](double gap) {
+      if (gap - radius > 0) least = std::min(least, gap - radius);
+    };
+    look(geometry::distance_to_boundary(problem.outline, centre));
+    for (const auto& crack : problem.cracks) look(geometry::distance(crack, centre));
+    for (std::size_t j = 0; j < discs.size(); ++j)
+      if (j != i) look((discs[j].centre - centre).norm() - discs[j].radius);
+    if (least < spacing * (1 - 1e-9))
+      result.push_back(
+          fmt::format("hub{}: an edge, a crack or another disc is {:.2g} spacings from its rim: errors may "
+                      "exceed their estimates; set `spacing` = {:.2g}",
+                      i, least / spacing, least));
+  }
   return result;
 }
 

@@ -175,3 +175,28 @@ TEST_CASE("held holes: rims that stay level and pins on rims are told, once each
   problem.supports = {{plate::SupportKind::pinned, {}, {{0.8, 0.5}, {0.3, 0.2}, {0.5, 0.5}}}};  // one of them on a rim
   CHECK(plate::warnings_about_held_holes(problem).empty());
 }
+
+TEST_CASE(
+    "hubs on the plate: what is closer than a spacing to a rim is told, and a disc over the whole plate refused") {
+  auto problem = clamped_square();
+  problem.discretization.spacing = 0.02;
+  const auto hub = [](const geometry::Circle& disc) {
+    plate::Support result;
+    result.kind = plate::SupportKind::hub, result.patch = disc;
+    return result;
+  };
+  const auto told = [&] { return plate::warnings_about_hubs(problem); };
+  const std::string closer = ": errors may exceed their estimates; set `spacing` = 0.01";
+  problem.supports = {hub({{0.5, 0.5}, 0.1, ""})};
+  CHECK(told().empty());
+  problem.cracks = {{{0.61, 0.5}, {0.8, 0.5}}};
+  CHECK(told() == std::vector{"hub0: an edge, a crack or another disc is 0.5 spacings from its rim" + closer});
+  problem.cracks = {{{0.62, 0.5}, {0.8, 0.5}}};
+  problem.supports.push_back(hub({{0.5, 0.11}, 0.1, ""}));  // beside the edge
+  CHECK(told() == std::vector{"hub1: an edge, a crack or another disc is 0.5 spacings from its rim" + closer});
+  problem.supports[1] = hub({{0.5, 0.29}, 0.1, ""});
+  CHECK(told().size() == 2);
+  problem.cracks.clear();
+  problem.supports = {hub({{0.5, 0.5}, 0.8, ""})};
+  CHECK(found(problem) == Found{{Subject::support_patch, 0}});
+}
