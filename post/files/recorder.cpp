@@ -1,6 +1,8 @@
 #include "post/files/recorder.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/formulation/boundary.hpp"
@@ -136,6 +138,27 @@ void Recorder::restore(plate::InArchive& archive) {
   sink_->go_on(frames);
 }
 
+namespace {
+
+/// Gives the time of every stage to the first part of it, and that of stages without a part to one more: the shares add
+/// up to 1.
+void share_time(Summary& summary, const plate::Stopwatch& stopwatch) {
+  std::vector<std::string> others;
+  double of_others = 0;
+  for (const auto& [stage, seconds] : stopwatch.seconds()) {
+    const auto part = std::ranges::find(summary.scene, stage, &ScenePart::stage);
+    const double share = seconds / stopwatch.total();
+    if (part != summary.scene.end())
+      part->time_share = share;
+    else
+      of_others += share, others.push_back(stage);
+  }
+  if (!others.empty())
+    summary.scene.push_back({fmt::format("other stages: {}", fmt::join(others, ", ")), "", 0, of_others});
+}
+
+}  // namespace
+
 Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   Sink::Tables tables;
   using Kind = plate::Analysis::Kind;
@@ -151,7 +174,7 @@ Summary Recorder::finish(Summary summary, plate::Stopwatch& stopwatch) {
   summary.digest = digest(resolved_);
   summary.seconds = stopwatch.seconds();
   summary.seconds.emplace_back("total", stopwatch.total());
-  for (auto& part : summary.scene) part.time_share = stopwatch.seconds(part.stage) / stopwatch.total();
+  share_time(summary, stopwatch);
   summary.peak_memory_bytes = peak_memory_bytes();
   const auto& [steps, iterations] = std::tie(summary.analysis.steps, summary.analysis.iterations);
   summary.processes =

@@ -41,7 +41,8 @@ std::vector<ScenePart> scene(const plate::Formulation& plate, const plate::Analy
   else
     parts.push_back({"Lanczos iteration and conjugate gradients", "solve",
                      (4 * double(analysis.modes) + 16) * vector_bytes * all / points, 0});
-  if (given.factors) parts.push_back({"intensity factors, probes, energies", "srif", 0, 0});
+  parts.push_back(
+      {given.factors ? "intensity factors, probes, energies" : "probes, energies, largest values", "srif", 0, 0});
   constexpr double vtk_bytes = 560;  // measured 560 to 570 at 40,000 and 161,000 points
   parts.push_back({"output", "output", 3 * vector_bytes + (given.fields ? vtk_bytes : 0), 0});
   return parts;

@@ -1,6 +1,7 @@
 // The folder that a run writes to: what an earlier run left goes, what is not of a run is not touched.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cases/driver/run.hpp"
 #include "post/files/hdf5/state_file.hpp"
@@ -33,6 +34,22 @@ TEST_CASE("run folder: the second run leaves nothing of the first") {
     INFO(name);
     CHECK_FALSE(fs::exists(options.folder / name));
   }
+}
+
+TEST_CASE("the parts of a run share all of its time, with and without factors, at rest and in motion") {
+  const auto motion = case_text::probed_motion();
+  for (const auto& text : {coarse, coarse + "[srif]\n", motion, motion.substr(0, motion.find("[srif]"))})
+    for (const char* formulation : {"ordinary", "galerkin"}) {
+      CAPTURE(text, formulation);
+      const small_run::TemporaryFolder scratch;
+      cases::run(case_text::read(
+                     text, {fmt::format("discretization.formulation={}", formulation), "discretization.spacing=0.2"}),
+                 {scratch / "results", true});
+      const auto json = nlohmann::json::parse(small_run::text_of(scratch / "results/summary.json"));
+      double sum = 0;
+      for (const auto& part : json["scene"]) sum += part["time_share"].get<double>();
+      CHECK(sum == Approx(1).margin(1e-9));
+    }
 }
 
 TEST_CASE("run folder: a case that is refused leaves the results of an earlier run, and a strange folder is refused") {
