@@ -48,10 +48,16 @@ std::optional<geometry::Point> place(const post::Table& table, const Row& row) {
   return x && y ? std::optional(geometry::Point(*x, *y)) : std::nullopt;
 }
 
+/// Rows of probes.csv for a probe; none where there is no such one.
+post::Table rows_of_probe(const post::Table& probes, const std::string& probe) {
+  const std::size_t name = probes.column("probe");
+  return rows_where(probes, [&](const Row& row) { return row[name] == post::Cell(probe); });
+}
+
 /// Rows of probes.csv for the probe that is compared.
 post::Table probe(const post::Table& probes) {
   const std::size_t name = probes.column("probe");
-  post::Table history = rows_where(probes, [&](const Row& row) { return row[name] == post::Cell("tip"); });
+  post::Table history = rows_of_probe(probes, "tip");
   if (history.rows.empty() && !probes.rows.empty()) {
     const post::Cell first = probes.rows.front()[name];
     history = rows_where(probes, [&](const Row& row) { return row[name] == first; });
@@ -99,9 +105,46 @@ void add(std::vector<ComparedQuantity>& rows, const post::Table& computed, const
       const auto found = compare(run.t, run.y, known.t, known.y);
       if (const auto* reason = std::get_if<std::string>(&found))
         throw std::invalid_argument(fmt::format("{}: {}", name, *reason));
-      rows.push_back({quantity, name, std::get<Comparison>(found), run, known});
+      rows.push_back({.quantity = quantity,
+                      .reference = name,
+                      .comparison = std::get<Comparison>(found),
+                      .computed = run,
+                      .known = known});
     }
   }
+}
+
+/// Compares the probe `ahead` with the columns for a place ahead of the tip.
+void add_ahead(std::vector<ComparedQuantity>& rows, const post::Table& probes, const post::Table& reference) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> columns{
+      {{"w_a", "w"}, {"tx_a", "theta_x"}, {"ty_a", "theta_y"}}};
+  const auto history = rows_of_probe(probes, "ahead");
+  for (const auto& [column, quantity] : columns) {
+    if (history.rows.empty() || !has(reference, column)) continue;
+    post::Table renamed = reference;
+    const std::size_t first = rows.size();
+    for (auto& name : renamed.columns)
+      if (name == quantity)
+        name = "";
+      else if (name == column)
+        name = quantity;
+    add(rows, history, renamed, {quantity});
+    for (std::size_t i = first; i < rows.size(); ++i) rows[i].reference = column;
+  }
+}
+
+/// Notes that rotations are singular where the probe is at a tip.
+void note_singular_rotations(std::vector<ComparedQuantity>& rows, const post::Table& srifs,
+                             const geometry::Point& probe, const post::Table& reference) {
+  constexpr double same_place = 1e-6;  // of the distance from the origin
+  const bool at_tip = std::ranges::any_of(srifs.rows, [&](const Row& row) {
+    const auto tip = place(srifs, row);
+    return tip && (*tip - probe).norm() <= same_place * (1 + probe.norm());
+  });
+  for (auto& row : rows)
+    if (at_tip && row.quantity.starts_with("theta"))
+      row.note = fmt::format("the probe is at a crack tip, where rotations are singular: take a probe {}",
+                             has(reference, "ty_a") ? "`ahead` at the place of the columns tx_a, ty_a" : "beside it");
 }
 
 std::string percent(double share) {
@@ -126,6 +169,9 @@ std::vector<ComparedQuantity> compare(const std::filesystem::path& results, cons
     const post::Table history = probe(*probes);
     if (!history.rows.empty()) near = place(history, history.rows.front());
     add(rows, history, curves, {"w", "theta_x", "theta_y", "u", "v"});
+    if (const auto srifs = read_if_there(results / "srif.csv"); near && srifs)
+      note_singular_rotations(rows, *srifs, *near, curves);
+    add_ahead(rows, *probes, curves);
   }
   if (const auto srifs = read_if_there(results / "srif.csv"))
     add(rows, tip_history(*srifs, near), curves, {"F1", "F2", "F3", "K1", "K2", "K3", "N1", "N2"});
@@ -169,7 +215,7 @@ std::vector<Exceeded> exceeded(const std::vector<ComparedQuantity>& rows, const 
 std::string to_json(const std::vector<ComparedQuantity>& rows, const std::vector<Exceeded>& above) {
   using Json = nlohmann::ordered_json;
   Json json{{"within", above.empty()}, {"quantities", Json::array()}, {"exceeded", Json::array()}};
-  for (const auto& [quantity, reference, c, computed, known] : rows) {
+  for (const auto& [quantity, reference, c, computed, known, note] : rows) {
     Json row{{"quantity", quantity},
              {"reference", reference},
              {"samples", c.samples},
@@ -187,6 +233,7 @@ std::string to_json(const std::vector<ComparedQuantity>& rows, const std::vector
                    {"time_reference", c.time_of_peak_reference},
                    {"time_error", c.peak_time_error}};
     if (c.shift) row["shift"] = {{"time", *c.shift}, {"relative", *c.relative_shift()}};
+    if (!note.empty()) row["note"] = note;
     json["quantities"].push_back(std::move(row));
   }
   for (const auto& [quantity, reference, measure, found, allowed] : above)
@@ -238,6 +285,8 @@ std::string to_text(const std::vector<ComparedQuantity>& rows) {
                           100 * c.covered);
       break;
     }
+  for (const auto& row : rows)
+    if (!row.note.empty()) text += fmt::format("{}: {}\n", row.quantity, row.note);
   return text;
 }
 

@@ -16,13 +16,15 @@ struct ComparedQuantity {
   std::string reference;  // the column: F1_J is the best value of F1, F1_paper_LS the paper's own recipe
   Comparison comparison;
   post::Curve computed, known;  // the whole curves, also outside the range that both cover
+  std::string note = {};        // why the difference says little, and what to compare instead
 };
 
 /// Compares the probe and the tip of a finished run with the curves of a reference file, which has a column `t`.
-/// The probe is the one called `tip`, or else the first; the tip is the nearest to that probe, or else the first; the
-/// method is the first that is listed for it. Columns of the reference that are zero throughout are left out.
-/// Throws std::invalid_argument where the reference has no column `t`, or run and reference have no curve, or fewer
-/// than two times of one, in common.
+/// The probe is the one called `tip`, or else the first; one called `ahead` is compared with the columns w_a, tx_a and
+/// ty_a. Rotations of a probe at a crack tip get a note: they are singular there. The tip is the nearest to that probe,
+/// or else the first; the method is the first that is listed for it. Columns of the reference that are zero throughout
+/// are left out. Throws std::invalid_argument where the reference has no column `t`, or run and reference have no
+/// curve, or fewer than two times of one, in common.
 std::vector<ComparedQuantity> compare(const std::filesystem::path& results, const std::filesystem::path& reference);
 
 /// A measure that is above its tolerance.

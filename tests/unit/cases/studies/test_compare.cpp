@@ -115,3 +115,37 @@ TEST_CASE("a reference without curves is refused") {
   post::write_csv(folder / "other.csv", {{"t", "pressure"}, {{0.1, 1.0}}});
   CHECK_THROWS_WITH(compare(folder.path(), folder / "other.csv"), Catch::Contains("no curve in common"));
 }
+
+TEST_CASE("rotations of a probe at a crack tip get a note, and a probe ahead is compared with its own columns") {
+  const TemporaryFolder folder;
+  Table probes{{"time", "probe", "x", "y", "w", "theta_x", "theta_y"}, {}};
+  Table srifs{{"time", "tip", "x", "y", "method", "K1"}, {}};
+  Table reference{{"t", "w", "theta_y", "w_a", "ty_a"}, {}};
+  for (const double t : {0.0, 1.0, 2.0}) {
+    probes.rows.push_back({t, "tip", 0.1, 0.0, t, 0.0, 3 * t});
+    probes.rows.push_back({t, "ahead", 0.12, 0.0, 2 * t, 0.0, 5 * t});
+    srifs.rows.push_back({t, 0.0, 0.1, 0.0, "first", t});
+    reference.rows.push_back({t, t, 2 * t, 2 * t, 4 * t});
+  }
+  post::write_csv(folder / "probes.csv", probes);
+  post::write_csv(folder / "srif.csv", srifs);
+  post::write_csv(folder / "reference.csv", reference);
+
+  const auto rows = compare(folder.path(), folder / "reference.csv");
+  std::vector<std::string> names, noted;
+  for (const auto& row : rows) {
+    names.push_back(row.quantity + ":" + row.reference);
+    if (!row.note.empty()) noted.push_back(names.back());
+  }
+  CHECK(names == std::vector<std::string>{"w:w", "theta_y:theta_y", "w:w_a", "theta_y:ty_a"});
+  CHECK(noted == std::vector<std::string>{"theta_y:theta_y"});
+  CHECK(rows[2].comparison.relative_rms == Approx(0).margin(1e-12));
+  CHECK(rows[3].comparison.relative_rms == Approx(0.25));
+  CHECK_THAT(cases::to_text(rows),
+             Catch::Contains("theta_y: the probe is at a crack tip") && Catch::Contains("columns tx_a, ty_a"));
+  CHECK_THAT(cases::to_json(rows, {}), Catch::Contains("\"note\": \"the probe is at a crack tip"));
+
+  for (auto& row : probes.rows) row[2] = std::get<double>(row[2]) + 0.05;  // away from the tip
+  post::write_csv(folder / "probes.csv", probes);
+  for (const auto& row : compare(folder.path(), folder / "reference.csv")) CHECK(row.note.empty());
+}
