@@ -158,6 +158,17 @@ function panel_plots() {
     lines: panel.series.map((one, i) => ({ ...one, x: drawn(panel, one).map(k => one.x[k]), y: drawn(panel, one).map(k => one.y[k]), label: one.label || "computed", dash: one.reference ? [7, 5] : [], number: one.reference ? [6, 7, 4][i % 3] : i })).filter(line => line.x.length > 0) }));
 }
 
+/** The numbers of a paper by figure, table or example, which an item names before its first comma: an overview, then their rows. */
+function papers_groups(rows, rows_table) {
+  const groups = [...grouped(rows, i => String(cell_of("item", i)).split(",")[0])].map(([name, indices]) => [name, indices.map(k => rows[k])]);
+  if (groups.length === 1) return rows_table(rows);
+  const count = (some, name) => some.filter(i => cell_of(name, i) !== null).length, sizes = some => some.map(i => cell_of("difference", i)).filter(x => typeof x === "number").map(Math.abs);
+  const cells = ([name, some]) => [name, String(some.length), String(count(some, "published")), count(some, "claim") ? `${some.filter(i => cell_of("claim_holds", i) === "yes").length} of ${count(some, "claim")}` : "",
+    sizes(some).length ? shown(Math.max(...sizes(some)), 2) : "", csv.s ? shown(Math.max(...some.map(i => cell_of("s", i) ?? 0)), 2) : ""];
+  return [table([{ title: "example", left: true }, { title: "numbers" }, { title: "published" }, { title: "claims that hold" }, { title: "largest difference" }, { title: "longest, s" }], groups.map(cells)),
+    groups.map(([name, some]) => folded(`${name}: ${some.length} ${some.length === 1 ? "number" : "numbers"}`, rows_table(some)))];
+}
+
 /** Numbers of papers beside ours and those of other means. */
 function papers_sections() {
   const rows = [...Array(length_of(csv)).keys()], seconds_of = csv.processor_seconds;
@@ -169,7 +180,7 @@ function papers_sections() {
   return [element("header", {}, element("h1", {}, data.title), facts([
     ["Numbers", `${rows.length}`],
     ["Claims of the papers", claims.length ? `${claims.filter(i => cell_of("claim_holds", i) === "yes").length} of ${claims.length} hold` : null],
-  ])), ...[...grouped(rows, i => cell_of("paper", i))].map(([paper, indices]) => section(paper, csv_table(columns_of(indices.map(k => rows[k])), indices.map(k => rows[k]), kind))),
+  ])), ...[...grouped(rows, i => cell_of("paper", i))].map(([paper, indices]) => section(paper, papers_groups(indices.map(k => rows[k]), some => csv_table(columns_of(some), some, kind)))),
   note("Difference: ours less the reference over the reference, or ours where that is 0. s: seconds of a processor, of the whole example."),
   data.panels.length ? section("Curves", plots(panel_plots()), screen_note("Drag over a plot to zoom, double click to go back.")) : null, links(data.runs ?? [])];
 }
