@@ -56,6 +56,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
   Reading reading(path.string());
   reading.distributed = distributed;
   for (const auto& setting : overrides) apply_override(root, setting, reading);
+  auto recipe_keys = apply_recipe(root, reading);
   if (const auto problems = too_many(root, path.string()); !problems.empty()) throw CaseError(problems);
   reading.kind = kind_of(root);
   reading.finds_spacing = bool(root["srif"]["accuracy"]) || root["accuracy"].is_table();
@@ -64,6 +65,7 @@ CaseFile case_of(toml::table root, const std::filesystem::path& path, const std:
 
   Case content;
   content.title = path.stem().string();
+  content.recipe_keys = std::move(recipe_keys);
   content.discretization.formulation = plate::formulations().front();  // unless the file states another
   read_fields(case_fields(), Value(root, "", reading), content);
   plate::join_loads(content);

@@ -44,6 +44,8 @@ struct AccuracyTargets {
 struct Case : plate::Problem {
   std::string title, source, units = "none";
   std::string project, author, date;                    // for the head of the report; empty: not given
+  std::string recipe;                                   // whose keys hold where the file gives none; empty: none
+  std::string recipe_keys;                              // these keys with their values, in words
   std::string formulation_reason = "as the case says";  // why discretization.formulation is what it is
   Analysis analysis;
   std::optional<fracture::Growth> growth;

@@ -113,6 +113,30 @@ void add_section(const plate::Problem& problem, std::vector<Asked>& found) {
   add(section.young_factor.given(), "a section that varies", "section.young_factor");
 }
 
+struct RecipeKey {
+  const char* table;
+  const char* name;
+  const char* value;  // as TOML
+};
+
+/// Keys of the way of Dai et al. (2021) in an analysis of this kind.
+std::vector<RecipeKey> dai2021_keys(const std::optional<std::string>& kind) {
+  std::vector<RecipeKey> keys{{"discretization", "formulation", "'ordinary'"},
+                              {"discretization", "horizon_ratio", "3.015"},
+                              {"discretization", "influence", "'inverse'"},
+                              {"discretization", "volume_correction", "'linear'"},
+                              {"discretization", "surface_correction", "'arbitrary_horizon'"},
+                              {"discretization", "full_horizon", "'continuum'"},
+                              {"discretization", "twist_match", "'paper'"},
+                              {"discretization", "boundary", "'images'"},
+                              {"srif", "methods", "['displacement_extrapolation']"},
+                              {"srif", "window_horizons", "2"},
+                              {"srif", "rows", "1"}};
+  if (kind == "static") keys.push_back({"analysis", "method", "'adr'"});
+  if (kind == "dynamic") keys.push_back({"analysis", "method", "'central_difference'"});
+  return keys;
+}
+
 bool of_horizon(Feature feature) {
   return feature <= Feature::twist_match;
 }
@@ -129,6 +153,38 @@ std::vector<Asked> asked(const Case& content, const Reading& reading) {
   add_stretching(content, found);
   add_section(content, found);
   return found;
+}
+
+std::string apply_recipe(toml::table& root, Reading& reading) {
+  const auto recipe = root["recipe"].value<std::string>();
+  if (recipe != "dai2021") return "";
+  const auto place = Value(*root.get("recipe"), "recipe", reading).reading().found().place("recipe") + ", recipe";
+  for (const auto* kind : plate::formulations())
+    if (root["discretization"]["formulation"].value<std::string>() == kind->name && !kind->offers(Feature::horizon)) {
+      reading.report_error("recipe",
+                           fmt::format("\"{}\" is a way of bonds, and discretization.formulation = \"{}\" has "
+                                       "none: remove one",
+                                       *recipe, kind->name));
+      return "";
+    }
+  std::vector<std::string> sets, instead;
+  for (const auto& [name, key, value] : dai2021_keys(root["analysis"]["kind"].value<std::string>())) {
+    auto* table = root[name].as_table();
+    if (!table) continue;
+    const auto parsed = toml::parse(fmt::format("value = {}", value));
+    const auto words = [&, where = fmt::format("{}.{}", name, key)](const toml::node& node) {
+      return fmt::format("{} = {}", where, Value(node, "", reading).toml());
+    };
+    sets.push_back(words(*parsed.get("value")));
+    if (const auto* given = table->get(key); given && words(*given) != sets.back())
+      instead.push_back(words(*given));
+    else if (!given) {
+      table->insert(key, *parsed.get("value"));
+      reading.overridden(fmt::format("{}.{}", name, key), place);
+    }
+  }
+  return fmt::format("{}: {}{}{}", *recipe, fmt::join(sets, ", "), instead.empty() ? "" : "; the case has instead ",
+                     fmt::join(instead, ", "));
 }
 
 bool states_formulation(const toml::table& root) {
@@ -223,6 +279,7 @@ CaseFile in_other_formulation(const CaseFile& file) {
   c.discretization.formulation = &plate::other_formulation(*given.formulation);
   if (c.discretization.formulation->offers(Feature::graded_points)) c.discretization.refine_tips = given.refine_tips;
   c.formulation_reason = "the other one of srif.second_formulation";
+  c.recipe.clear(), c.recipe_keys.clear();
   c.analysis.preconditioner = plate::Preconditioning::automatic;
   c.analysis.precision = Analysis::Precision::double_;
   if (c.analysis.method == Analysis::Method::lanczos) c.analysis.method = Analysis::Method::central_difference;

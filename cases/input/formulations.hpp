@@ -21,6 +21,11 @@ struct Asked {
 /// given, and is refused away from its default.
 std::vector<Asked> asked(const Case& content, const Reading& reading);
 
+/// Puts the keys of root["recipe"] into the tree where they are absent: those of [analysis] and [srif] where there is
+/// such a table and the analysis has that key. Reports a formulation that the recipe is not of. Returns the recipe with
+/// its keys in words, and what the file gives instead of them; nothing without a recipe.
+std::string apply_recipe(toml::table& root, Reading& reading);
+
 /// True where the file chooses a formulation itself. "auto" is the same as none.
 bool states_formulation(const toml::table& root);
 

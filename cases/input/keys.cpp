@@ -28,6 +28,18 @@ Field<Case> text(const std::string& name, std::string Case::*member, const std::
       [=](const Case& content) { return optional && (content.*member).empty() ? "" : quoted(content.*member); });
 }
 
+/// The way of a paper. apply_recipe() has put its keys into the tree before this is read.
+Field<Case> recipe() {
+  auto field = choice<Case, std::string>("recipe", &Case::recipe, {{{"dai2021", "dai2021"}}},
+                                         "sets the keys of the way of a paper that the file does not give: "
+                                         "bonds as Dai et al. (2021) have them; see \"Examples of the papers\"")
+                   .standard("absent");
+  field.write = [write = field.write](const Case& content, Analysis::Kind kind) {
+    return content.recipe.empty() ? std::string() : write(content, kind);
+  };
+  return field;
+}
+
 plate::Problem& problem_of(Case& content) {
   return content;
 }
@@ -59,6 +71,7 @@ const Fields<Case>& case_fields() {
       text("date", &Case::date, "absent", "date of the case, at the head of the report"),
       choice<Case, std::string>("units", &Case::units, {{{"none", "none"}, {"SI", "SI"}}},
                                 "unit system named in the results"),
+      recipe(),
       table<Case, plate::Section>("section", Layout::block, &Case::section, section_fields(), check_section),
       table<Case, plate::Problem>("geometry", Layout::block, plate_of, geometry_fields(), check_geometry_keys),
       table<Case, plate::CrackFaces>("cracks", Layout::block, &Case::faces, crack_fields()),

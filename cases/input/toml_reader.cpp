@@ -23,9 +23,9 @@ bool at_or_below(const std::string& key, const std::string& parent) {
 
 void Reading::note(const std::string& key, std::size_t line) {
   const std::string& file = found_.places.front().second;
-  for (const auto& [parent, typed] : overridden_)
+  for (const auto& [parent, place] : overridden_)
     if (at_or_below(key, parent)) {
-      found_.places.emplace_back(key, "--set " + typed);
+      found_.places.emplace_back(key, place);
       return;
     }
   if (line > 0) found_.places.emplace_back(key, fmt::format("{}:{}", file, line));
@@ -286,7 +286,7 @@ void apply_override(toml::table& root, const std::string& setting, Reading& read
   if (!parent || !put(*parent, path.back(), *value.get("value")))
     reading.report_error({"--set " + typed, dotted(path), "leads nowhere: the file has no such table or list entry"});
   else
-    reading.overridden(dotted(made), typed);
+    reading.overridden(dotted(made), "--set " + typed);
 }
 
 }  // namespace cases

@@ -25,8 +25,8 @@ public:
   std::optional<double> spacing;              // discretization.spacing, where it is a number
   bool distributed = false;                   // several ranks are to run the case
 
-  /// The key was set on the command line as `typed`: "--set TYPED" is its place and that of everything below it.
-  void overridden(const std::string& key, const std::string& typed) { overridden_.emplace_back(key, typed); }
+  /// The file does not give the key: `place`, as "--set KEY", is its place and that of everything below it.
+  void overridden(const std::string& key, const std::string& place) { overridden_.emplace_back(key, place); }
   /// The file gives this key at this line (0: not in the file).
   void note(const std::string& key, std::size_t line);
   /// Reports an error of the key at its place or that of its nearest parent.

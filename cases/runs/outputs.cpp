@@ -37,6 +37,7 @@ post::Summary about(const Case& c, const plate::Formulation& plate, std::vector<
   summary.title = c.title;
   summary.units = c.units;
   summary.formulation_reason = c.formulation_reason;
+  summary.recipe = c.recipe_keys;
   summary.warnings = std::move(warnings);
   count_all(summary, plate);
   return summary;

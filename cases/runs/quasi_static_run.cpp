@@ -238,6 +238,7 @@ void QuasiStaticRun::finish() {
   summary.units = content_.units;
   summary.formulation = content_.discretization.formulation->name;
   summary.formulation_reason = content_.formulation_reason;
+  summary.recipe = content_.recipe_keys;
   summary.analysis.kind = plate::Analysis::Kind::static_;
   post::describe(summary.analysis, tips_ ? tips_->method() : "cg", model_->solution(), content_.analysis.tolerance);
   post::conclude(summary, {.section = content_.section,

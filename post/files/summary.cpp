@@ -392,12 +392,12 @@ std::string to_json(const Summary& summary) {
   json["outcome"] = summary.outcome;
   json["formulation"] = summary.formulation;
   json["formulation_reason"] = summary.formulation_reason;
+  if (!summary.recipe.empty()) json["recipe"] = summary.recipe;
   json["points"] = summary.points;
   json["bonds"] = summary.bonds;
   json["fictitious_points"] = summary.fictitious_points;
   json["fictitious_bonds"] = summary.fictitious_bonds;
-  json["spacing"] = summary.spacing;
-  json["horizon"] = summary.horizon;
+  json["spacing"] = summary.spacing, json["horizon"] = summary.horizon;
   if (const auto& matched = summary.position_aware)
     json["position_aware"] = {
         {"exact", matched->exact}, {"blended", matched->blended}, {"arbitrary_horizon", matched->arbitrary_horizon}};

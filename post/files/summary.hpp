@@ -237,6 +237,7 @@ struct Summary {
   std::string title, outcome, version, digest;
   std::string units;                            // "SI" or "none"
   std::string formulation, formulation_reason;  // "ordinary" or "galerkin", and why
+  std::string recipe;                           // of the case, with its keys; empty: none
   std::size_t points = 0, bonds = 0;            // of the plate; bonds counted from both ends, intact at the end
   std::size_t fictitious_points = 0, fictitious_bonds = 0;  // outside the plate, for supports
   double spacing = 0, horizon = 0;

@@ -411,6 +411,7 @@ std::string printed(const Summary& summary, bool si, double thickness, const std
                  a.iterations ? *a.iterations : a.steps.value_or(0), a.iterations ? "iterations" : "steps",
                  summary.seconds.back().second,
                  has_plane && a.iterations == std::size_t(0) ? "loaded in its plane alone" : a.stop_reason);
+  if (!summary.recipe.empty()) fmt::format_to(out, "recipe {}\n", summary.recipe);
   if (summary.processes) text += printed(*summary.processes);
   if (summary.accuracy) accuracy(out, *summary.accuracy);
   if (summary.targets) targets(out, *summary.targets);

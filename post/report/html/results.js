@@ -10,6 +10,7 @@ function header() {
       ["Outcome", element("b", { class: failed ? "failed" : stopped ? "rough" : "done" }, failed ? s.outcome : stopped ? s.growth.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
       ["Analysis", `${a.kind}, ${spaced(a.method)}${a.preconditioner ? ` with ${spaced(a.preconditioner)}` : ""}${solved ? `, ${solved}` : ""}${s.membrane && a.iterations === 0 ? ": loaded in its plane alone" : a.stop_reason && !failed ? `: ${a.stop_reason}` : ""}`],
       ["Formulation", s.formulation === "galerkin" ? "Galerkin plate" : s.formulation === "ordinary" ? "bonds over a horizon" : s.formulation, ` (${s.formulation_reason})`],
+      ["Recipe", s.recipe],
       ["Plate", value("points", 6, whole(s.points)), ` points, spacing ${shown(s.spacing, 4)}${unit("length") ? ` ${unit("length")}` : ""}, ${whole(s.bonds)} bonds`],
       ["Time", value("seconds.total", 3, seconds(s.seconds.total)), `, ${bytes(s.peak_memory_bytes)} of memory`],
       ["Units", si ? "SI" : "those of the case, any that are consistent"],
@@ -186,7 +187,7 @@ function cost_section() {
 const case_section = () => (data.case ? section("The case", note("As it was run, with all defaults: running it gives the same result."), folded("case.resolved.toml", element("pre", {}, data.case))) : null);
 
 /** What summary.json has that no section above knows. */
-const known = new Set(["title", "outcome", "formulation", "formulation_reason", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
+const known = new Set(["title", "outcome", "formulation", "formulation_reason", "recipe", "points", "bonds", "fictitious_points", "fictitious_bonds", "spacing", "horizon", "position_aware", "analysis", "seconds",
   "peak_memory_bytes", "srif", "peaks", "accuracy", "frequencies", "buckling", "load_steps", "contact", "growth", "energy", "scene", "warnings", "units", "version", "digest", "toughness", "extremes", "stress_near", "probes", "lines", "estimated_error_energy", "reactions", "overlaps", "load_cases", "envelope"]);
 
 const titles = { sanity: "Validity of the theory", membrane: "In the plane", targets: "Accuracy of results" };

@@ -216,3 +216,69 @@ TEST_CASE("points are refined at tips where factors need it, and the resolved ca
   CHECK_FALSE(spacing_at_tips(asked, {spacing, crack, with_thickness(0.02), "section.density=1",
                                       "analysis={kind=\"dynamic\", duration=0.05}"}));
 }
+
+namespace {
+
+/// The resolved case without the line of its recipe.
+std::string without_recipe(const cases::Case& content) {
+  std::string text = cases::resolved_toml(content);
+  const auto begin = text.find("recipe = ");
+  REQUIRE(begin != std::string::npos);
+  return text.erase(begin, text.find('\n', begin) + 1 - begin);
+}
+
+}  // namespace
+
+TEST_CASE("recipe: one key gives the case that all of its keys give") {
+  const std::string cracked = "title = \"a plate\"\n" + plain + "[srif]\n";
+  std::vector<std::string> all{"discretization.formulation=ordinary",
+                               "discretization.horizon_ratio=3.015",
+                               "discretization.influence=inverse",
+                               "discretization.volume_correction=linear",
+                               "discretization.surface_correction=arbitrary_horizon",
+                               "discretization.full_horizon=continuum",
+                               "discretization.twist_match=paper",
+                               "discretization.boundary=images",
+                               "srif.methods=[\"displacement_extrapolation\"]",
+                               "srif.window_horizons=2",
+                               "srif.rows=1"};
+  CHECK(without_recipe(read(cracked, {"recipe=dai2021"}).content) ==
+        cases::resolved_toml(read(cracked, with(all, "analysis.method=adr")).content));
+  auto moving = motion;
+  moving.push_back("recipe=dai2021");
+  all.insert(all.begin(), motion.begin(), motion.end());
+  CHECK(without_recipe(read(cracked, moving).content) ==
+        cases::resolved_toml(read(cracked, with(all, "analysis.method=central_difference")).content));
+  CHECK_FALSE(read(plain, {"recipe=dai2021"}).content.srif);
+}
+
+TEST_CASE("recipe: keys of the file hold, and the results name them") {
+  const auto settings = with({"recipe=dai2021"}, "discretization.surface_correction=none");
+  const auto file = read(plain, settings);
+  CHECK(file.content.discretization.surface_correction == plate::SurfaceCorrection::none);
+  CHECK(file.content.discretization.twist_match == plate::TwistMatch::paper);
+  CHECK_THAT(file.content.recipe_keys,
+             Catch::StartsWith("dai2021: discretization.formulation = \"ordinary\"") &&
+                 Catch::EndsWith("; the case has instead discretization.surface_correction = \"none\""));
+  const auto again = read(cases::resolved_toml(file.content)).content;
+  CHECK(again.recipe_keys == file.content.recipe_keys);
+  CHECK(cases::resolved_toml(again) == cases::resolved_toml(file.content));
+  const small_run::TemporaryFolder scratch;
+  cases::run(read(plain, with(settings, "discretization.spacing=0.2")), {scratch / "results", true});
+  const auto json = nlohmann::json::parse(small_run::text_of(scratch / "results/summary.json"));
+  CHECK(json["recipe"] == file.content.recipe_keys);
+}
+
+TEST_CASE("recipe: what does not go with it is refused once, at its place") {
+  expect("recipe = \"dai2021\"\n" + plain, ":1", "recipe", "is a way of bonds",
+         {"discretization.formulation=galerkin"});
+  expect("recipe = \"dai\"\n" + plain, ":1", "recipe", "must be one of \"dai2021\"");
+  expect("recipe = \"dai2021\"\n" + plain, ":1, recipe", "analysis.method", "choose method = \"direct\"",
+         {"discretization.boundary=surface_nodes"});
+  auto settings = motion;
+  settings.push_back("srif={second_formulation=true}");
+  settings.push_back("recipe=dai2021");
+  const auto other = cases::in_other_formulation(read(plain, settings)).content;
+  CHECK(other.recipe.empty());
+  CHECK(other.recipe_keys.empty());
+}
