@@ -15,6 +15,8 @@ TEST_CASE("papers: the studies of Dai et al. that the program brings along read,
   CHECK(approaches.runs.size() == 90);
   CHECK(approaches.references.size() == 30);
   CHECK(cases::read_study(folder / "static/study_thirty_cracks.toml").runs.size() == 30);
+  CHECK(cases::read_study(folder / "static/study_dai2021_spacing.toml").runs.size() == 20);
+  CHECK(cases::read_study(folder / "dynamic/study_dai2021_approaches.toml").runs.size() == 8);
   const auto motion = cases::read_study(folder / "dynamic/study_dai2021_motion.toml");
   CHECK(motion.runs.size() == 5);
   for (const auto& run : motion.runs) CHECK(run.wanted.size() == 2);
