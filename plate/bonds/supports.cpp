@@ -81,7 +81,8 @@ private:
   void tie_image(std::uint32_t leader, const std::array<double, unknowns_per_point>& factors, const Side& side) {
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), factors[c]}});
   }
-  void tie_clamped(std::uint32_t leader, double depth, const Side& side);
+  void tie_clamped(std::uint32_t leader, double depth, double inside, const Side& side);
+  bool tie_clamped(const Point& u, double depth, const Side& side);
   void tie_without_bonds(std::uint32_t leader, double depth, const Side& side);
   bool within(const Side& side, const Point& u) const;
   void mirror_at_corners();
@@ -102,17 +103,53 @@ bool Builder::within(const Side& side, const Point& u) const {
   return s > -reach_ && s < length + reach_;
 }
 
-/// Ties a point beyond a clamped line, at `depth` d outside, to the leader at d' inside: rotations -d/d', and w =
+/// Ties a point beyond a clamped line, at `depth` d outside, to the leader at `inside` d': rotations -d/d', and w =
 /// -(d/d') w' + (d^2 + d d')/(2 d') psi_n', psi_n along the inner normal: exact for constant curvature and for constant
 /// shear from the line on. Plain odd w would see a spurious shear there.
-void Builder::tie_clamped(std::uint32_t leader, double depth, const Side& side) {
-  const Point& u = b_.lattice[leader];
-  const double inside = side.inside(u), ratio = depth / inside;
-  const double lever = spacing_ * depth * (depth + inside) / (2 * inside);
-  const Point out = side.outward(u);  // psi_n = out_x theta_y - out_y theta_x
+void Builder::tie_clamped(std::uint32_t leader, double depth, double inside, const Side& side) {
+  const double ratio = depth / inside, lever = spacing_ * depth * (depth + inside) / (2 * inside);
+  const Point out = side.outward(b_.lattice[leader]);  // psi_n = out_x theta_y - out_y theta_x
   tie(dof(last(), 0), side,
       {{dof(leader, 0), -ratio}, {dof(leader, 1), -lever * out.y()}, {dof(leader, 2), lever * out.x()}});
   for (std::uint32_t c = 1; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), -ratio}});
+}
+
+/// Clamped lines off the lattice act as if they lay this far out [spacings]: images are taken about a line that far in.
+/// Measured at 10 to 45 degrees, horizon ratios 2 to 5, nu 0 to 0.45, thicknesses of 1 to 20 spacings
+/// (tests/verification, "General images").
+constexpr double line_further_in = 0.07;
+
+/// Ties a point u beyond a clamped side, at `depth` outside, to its mirror position or, where the four points around
+/// that are not all of the plate, to the next place further in. Between the points x_i rotations are bilinear, with
+/// shares N_i, and w = sum N_i (w_i + (x - x_i) . psi_i / 2): exact for constant curvature and for constant shear.
+/// Returns false where there is no such place within 1.5 spacings.
+bool Builder::tie_clamped(const Point& u, double depth, const Side& side) {
+  constexpr double step = 0.125, further = 1.5;  // spacings
+  const Point out = side.outward(u), foot = u - depth * out;
+  for (double inside = std::max(depth, step); inside <= depth + further; inside += step) {
+    const Point x = foot - inside * out, low(std::floor(x.x() - 0.5) + 0.5, std::floor(x.y() - 0.5) + 0.5);
+    const double from = depth + line_further_in, to = inside - line_further_in;
+    const double ratio = from / to, lever = spacing_ * from * (from + to) / (2 * to);
+    std::array<SupportOffsets::Leaders, unknowns_per_point> leaders;
+    bool all = true;
+    for (int corner = 0; all && corner < 4; ++corner) {
+      const Point cell = low + Point(corner % 2, corner / 2), d = x - cell;
+      const double share = (1 - std::abs(d.x())) * (1 - std::abs(d.y()));
+      if (share < 1e-9) continue;
+      const auto k = cells_.at(cell);
+      all = k && side.inside(b_.lattice[*k]) > 0;
+      if (!all) break;
+      const Point arm = lever * out + spacing_ * ratio / 2 * d;
+      leaders[0].push_back({dof(*k, 0), -share * ratio});
+      leaders[0].push_back({dof(*k, 1), -share * arm.y()});
+      leaders[0].push_back({dof(*k, 2), share * arm.x()});
+      for (std::uint32_t c = 1; c < unknowns_per_point; ++c) leaders[c].push_back({dof(*k, c), -share * ratio});
+    }
+    if (!all) continue;
+    for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, leaders[c]);
+    return true;
+  }
+  return false;
 }
 
 /// Ties the deflection of a point beyond a line to which the plate has no bonds, but its plane has: odd where the line
@@ -139,7 +176,7 @@ void Builder::mirror_images() {
       if (!bonded)
         tie_without_bonds(k, side.inside(b_.lattice[k]), side);
       else if (side.kind == SupportKind::clamped)
-        tie_clamped(k, side.inside(b_.lattice[k]), side);
+        tie_clamped(k, side.inside(b_.lattice[k]), side.inside(b_.lattice[k]), side);
       else
         tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])}, side);
     }
@@ -194,6 +231,8 @@ void Builder::general_images() {
 void Builder::outside_cell(const Point& u, int s) {
   const Side& side = b_.sides[static_cast<std::size_t>(s)];
   const double depth = std::max(-side.inside(u), 0.0);
+  add(u, spacing_ * spacing_, {{s, -1}, false, false, has_images(side)});
+  if (side.kind == SupportKind::clamped && tie_clamped(u, depth, side)) return;
   const Point image = u - 2 * depth * side.outward(u);
   std::optional<std::uint32_t> leader;
   double best = 4;  // cells around the image
@@ -204,14 +243,13 @@ void Builder::outside_cell(const Point& u, int s) {
       const double away = (b_.lattice[*k] - image).norm();
       if (away < best) best = away, leader = k;
     }
-  add(u, spacing_ * spacing_, {{s, -1}, false, false, has_images(side)});
   if (!leader) {
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) fix(dof(last(), c), side);
     return;
   }
   if (!has_images(side)) return tie_without_bonds(*leader, depth, side);
   if (side.kind == SupportKind::clamped) {
-    tie_clamped(*leader, depth, side);
+    tie_clamped(*leader, depth + line_further_in, side.inside(b_.lattice[*leader]) - line_further_in, side);
     return;
   }
   const auto signs = parity(side.kind, side.normal_axis());
@@ -331,7 +369,7 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   Builder builder(result, moved, discretization.horizon_ratio, discretization.spacing);
   builder.pins();
   hold_inside(result, supports, moved);
-  hold_hubs(result, hubs_of(supports, result.cloud), supports, law, moved);
+  hold_hubs(result, hubs_of(supports, result.cloud, discretization.horizon()), supports, law, moved);
   builder.outermost_rows();
   builder.mirror_images();
   builder.general_images();

@@ -64,7 +64,7 @@ struct Hold {
 /// Supports as constraints: fictitious points beyond the edges, degrees of freedom that follow others or are zero.
 /// Mirror images (clamped: rotations odd, w odd with the lever of the rotation; simply supported hard: w and psi_s odd;
 /// symmetry: psi_n odd; psi_n, psi_s: rotation along the normal and along the edge) where an edge lies along the
-/// lattice; elsewhere lattice points outside that follow the point nearest to their image in proportion to the
+/// lattice; elsewhere lattice points outside that follow the place of their image, or the point nearest to it, by the
 /// distances from the line. Simply supported (w only): the outermost row follows the second so that w = 0 on the line.
 /// theory.md, "Supports".
 struct Boundary {

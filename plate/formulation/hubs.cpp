@@ -113,7 +113,8 @@ void require_alone(const Boundary& boundary, const Hub& hub) {
 
 }  // namespace
 
-std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud) {
+std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon) {
+  constexpr double about_rim = 0.215;  // horizons; measured (tests/verification, "Supports, soil and loads that move")
   std::vector<Hub> result;
   if (!any_hub(supports)) return result;
   const auto holders = holders_of(supports);
@@ -127,7 +128,8 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::C
             "bonds have no points on the rim of a hole, which a hub would move: remove what needs bonds, or give "
             "on = { circle = [x, y, radius] } without the hole"}});
     const double spacing = cloud.units.spacing;
-    result.push_back({i, circle->centre, points_within(*circle, cloud.positions, cloud.plate_points, spacing)});
+    const Circle held{circle->centre, circle->radius + about_rim * horizon, circle->name};
+    result.push_back({i, circle->centre, points_within(held, cloud.positions, cloud.plate_points, spacing)});
     require_disc(result.back(), holders[i], cloud.positions, spacing);
   }
   return result;

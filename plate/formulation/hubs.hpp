@@ -18,9 +18,10 @@ struct Hub {
   std::vector<std::uint32_t> points;  // that move with it, ascending
 };
 
-/// Finds the hubs on points in the middles of cells: each has the points within its circle.
+/// Finds the hubs on points in the middles of cells: each has the points within its circle, and those closer to it than
+/// 0.215 of the `horizon` [length], as bonds that cross the rim bend over a part of their length (theory.md, "Hubs").
 /// @throws Refused  where its points lie on one line, or it fills a hole
-std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud);
+std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon);
 
 /// Finds the hubs on points that are corners of cells: each has the points on the rim of its hole, or those within its
 /// circle. `outline`: in lattice units.

@@ -361,8 +361,9 @@ ElasticSupports all(const Problem& problem, const std::vector<Point>& positions,
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud,
                                     const std::vector<FacePair>& faces) {
   const bool bends = problem.section.law == PlateLaw::bending;
+  const double horizon = problem.discretization.horizon();
   return all(
-      problem, cloud.positions, bends ? hubs_of(problem.supports, cloud) : std::vector<Hub>(), faces,
+      problem, cloud.positions, bends ? hubs_of(problem.supports, cloud, horizon) : std::vector<Hub>(), faces,
       [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, problem, cloud, sum);
