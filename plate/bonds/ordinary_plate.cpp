@@ -326,12 +326,13 @@ std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const std
   auto cloud = geometry::lattice(problem.outline, d.spacing, part ? std::optional(part->seen) : std::nullopt);
   const auto outline = geometry::to_lattice(problem.outline, cloud.units);
   check_lattice(problem, cloud, outline);
-  Layout layout{problem,
-                {},
-                geometry::tips(paths),
-                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}, law, beside),
-                {},
-                {}};
+  Layout layout{
+      problem,
+      {},
+      geometry::tips(paths),
+      boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}, law, beside, paths),
+      {},
+      {}};
   auto& boundary = layout.boundary;
   warnings = boundary.warnings;
   warn_of_edges(boundary, d.spacing, warnings);

@@ -81,8 +81,10 @@ private:
   void tie_image(std::uint32_t leader, const std::array<double, unknowns_per_point>& factors, const Side& side) {
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), factors[c]}});
   }
+  void lead_clamped(std::array<SupportOffsets::Leaders, unknowns_per_point>& leaders, std::uint32_t k, double share,
+                    double depth, double inside, const Point& out, const Point& away) const;
   void tie_clamped(std::uint32_t leader, double depth, double inside, const Side& side);
-  bool tie_clamped(const Point& u, double depth, const Side& side);
+  bool tie_clamped_between(const Point& u, double depth, const Side& side);
   void tie_without_bonds(std::uint32_t leader, double depth, const Side& side);
   bool within(const Side& side, const Point& u) const;
   void mirror_at_corners();
@@ -103,15 +105,25 @@ bool Builder::within(const Side& side, const Point& u) const {
   return s > -reach_ && s < length + reach_;
 }
 
-/// Ties a point beyond a clamped line, at `depth` d outside, to the leader at `inside` d': rotations -d/d', and w =
-/// -(d/d') w' + (d^2 + d d')/(2 d') psi_n', psi_n along the inner normal: exact for constant curvature and for constant
-/// shear from the line on. Plain odd w would see a spurious shear there.
-void Builder::tie_clamped(std::uint32_t leader, double depth, double inside, const Side& side) {
+/// Adds a point k as a leader, with this share, of a point at `depth` d beyond a clamped line: rotations -d/d', and w =
+/// -(d/d') w' + (d^2 + d d')/(2 d') psi_n', psi_n along the inner normal, w' and psi' at the place d' = `inside` that
+/// lies `away` [length] from k, w' = w_k + away . psi_k / 2: exact for constant curvature and for constant shear from
+/// the line on. Plain odd w would see a spurious shear there.
+void Builder::lead_clamped(std::array<SupportOffsets::Leaders, unknowns_per_point>& leaders, std::uint32_t k,
+                           double share, double depth, double inside, const Point& out, const Point& away) const {
   const double ratio = depth / inside, lever = spacing_ * depth * (depth + inside) / (2 * inside);
-  const Point out = side.outward(b_.lattice[leader]);  // psi_n = out_x theta_y - out_y theta_x
-  tie(dof(last(), 0), side,
-      {{dof(leader, 0), -ratio}, {dof(leader, 1), -lever * out.y()}, {dof(leader, 2), lever * out.x()}});
-  for (std::uint32_t c = 1; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), -ratio}});
+  const Point arm = lever * out + ratio / 2 * away;  // psi_n = out_x theta_y - out_y theta_x
+  leaders[0].push_back({dof(k, 0), -share * ratio});
+  leaders[0].push_back({dof(k, 1), -share * arm.y()});
+  leaders[0].push_back({dof(k, 2), share * arm.x()});
+  for (std::uint32_t c = 1; c < unknowns_per_point; ++c) leaders[c].push_back({dof(k, c), -share * ratio});
+}
+
+/// Ties the last point, at `depth` beyond a clamped line, to one leader at `inside`.
+void Builder::tie_clamped(std::uint32_t leader, double depth, double inside, const Side& side) {
+  std::array<SupportOffsets::Leaders, unknowns_per_point> leaders;
+  lead_clamped(leaders, leader, 1, depth, inside, side.outward(b_.lattice[leader]), {0, 0});
+  for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, leaders[c]);
 }
 
 /// Clamped lines off the lattice act as if they lay this far out [spacings]: images are taken about a line that far in.
@@ -119,17 +131,15 @@ void Builder::tie_clamped(std::uint32_t leader, double depth, double inside, con
 /// (tests/verification, "General images").
 constexpr double line_further_in = 0.07;
 
-/// Ties a point u beyond a clamped side, at `depth` outside, to its mirror position or, where the four points around
-/// that are not all of the plate, to the next place further in. Between the points x_i rotations are bilinear, with
-/// shares N_i, and w = sum N_i (w_i + (x - x_i) . psi_i / 2): exact for constant curvature and for constant shear.
-/// Returns false where there is no such place within 1.5 spacings.
-bool Builder::tie_clamped(const Point& u, double depth, const Side& side) {
-  constexpr double step = 0.125, further = 1.5;  // spacings
+/// Ties the last point u, at `depth` beyond a clamped side, to its mirror position or, where that lies less than a
+/// quarter of a spacing inside, or the four points around it are not all of the plate, to the next place further in.
+/// Between the four points w and rotations are bilinear. Returns false where there is no such place within 1.5
+/// spacings.
+bool Builder::tie_clamped_between(const Point& u, double depth, const Side& side) {
+  constexpr double least = 0.25, step = 0.125, further = 1.5;  // spacings
   const Point out = side.outward(u), foot = u - depth * out;
-  for (double inside = std::max(depth, step); inside <= depth + further; inside += step) {
+  for (double inside = std::max(depth, least); inside <= depth + further; inside += step) {
     const Point x = foot - inside * out, low(std::floor(x.x() - 0.5) + 0.5, std::floor(x.y() - 0.5) + 0.5);
-    const double from = depth + line_further_in, to = inside - line_further_in;
-    const double ratio = from / to, lever = spacing_ * from * (from + to) / (2 * to);
     std::array<SupportOffsets::Leaders, unknowns_per_point> leaders;
     bool all = true;
     for (int corner = 0; all && corner < 4; ++corner) {
@@ -138,12 +148,7 @@ bool Builder::tie_clamped(const Point& u, double depth, const Side& side) {
       if (share < 1e-9) continue;
       const auto k = cells_.at(cell);
       all = k && side.inside(b_.lattice[*k]) > 0;
-      if (!all) break;
-      const Point arm = lever * out + spacing_ * ratio / 2 * d;
-      leaders[0].push_back({dof(*k, 0), -share * ratio});
-      leaders[0].push_back({dof(*k, 1), -share * arm.y()});
-      leaders[0].push_back({dof(*k, 2), share * arm.x()});
-      for (std::uint32_t c = 1; c < unknowns_per_point; ++c) leaders[c].push_back({dof(*k, c), -share * ratio});
+      if (all) lead_clamped(leaders, *k, share, depth + line_further_in, inside - line_further_in, out, spacing_ * d);
     }
     if (!all) continue;
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, leaders[c]);
@@ -232,7 +237,7 @@ void Builder::outside_cell(const Point& u, int s) {
   const Side& side = b_.sides[static_cast<std::size_t>(s)];
   const double depth = std::max(-side.inside(u), 0.0);
   add(u, spacing_ * spacing_, {{s, -1}, false, false, has_images(side)});
-  if (side.kind == SupportKind::clamped && tie_clamped(u, depth, side)) return;
+  if (side.kind == SupportKind::clamped && tie_clamped_between(u, depth, side)) return;
   const Point image = u - 2 * depth * side.outward(u);
   std::optional<std::uint32_t> leader;
   double best = 4;  // cells around the image
@@ -353,7 +358,7 @@ bool has_images(const Side& side) {
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization, const std::vector<SupportMotion>& motions, PointMap map,
-                  PlateLaw law, const std::vector<Support>& others) {
+                  PlateLaw law, const std::vector<Support>& others, const std::vector<geometry::CrackPath>& paths) {
   Boundary result;
   result.map = std::move(map);
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
@@ -369,7 +374,7 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   Builder builder(result, moved, discretization.horizon_ratio, discretization.spacing);
   builder.pins();
   hold_inside(result, supports, moved);
-  hold_hubs(result, hubs_of(supports, result.cloud, discretization.horizon()), supports, law, moved);
+  hold_hubs(result, hubs_of(supports, result.cloud, discretization.horizon(), paths), supports, law, moved);
   builder.outermost_rows();
   builder.mirror_images();
   builder.general_images();

@@ -113,7 +113,8 @@ void require_alone(const Boundary& boundary, const Hub& hub) {
 
 }  // namespace
 
-std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon) {
+std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon,
+                         const std::vector<geometry::CrackPath>& paths) {
   constexpr double about_rim = 0.215;  // horizons; measured (tests/verification, "Supports, soil and loads that move")
   std::vector<Hub> result;
   if (!any_hub(supports)) return result;
@@ -129,7 +130,14 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::C
             "on = { circle = [x, y, radius] } without the hole"}});
     const double spacing = cloud.units.spacing;
     const Circle held{circle->centre, circle->radius + about_rim * horizon, circle->name};
-    result.push_back({i, circle->centre, points_within(held, cloud.positions, cloud.plate_points, spacing)});
+    auto points = points_within(held, cloud.positions, cloud.plate_points, spacing);
+    std::erase_if(points, [&](std::uint32_t k) {
+      const Point arm = cloud.positions[k] - circle->centre;
+      const Point rim = circle->centre + arm * std::min(1.0, circle->radius / arm.norm());
+      return std::ranges::any_of(paths,
+                                 [&](const auto& path) { return geometry::separates(path, rim, cloud.positions[k]); });
+    });
+    result.push_back({i, circle->centre, std::move(points)});
     require_disc(result.back(), holders[i], cloud.positions, spacing);
   }
   return result;

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "geometry/shape/crack_path.hpp"
 #include "plate/formulation/elastic_supports.hpp"
 #include "plate/formulation/support_constraints.hpp"
 #include "plate/model/section.hpp"
@@ -19,9 +20,11 @@ struct Hub {
 };
 
 /// Finds the hubs on points in the middles of cells: each has the points within its circle, and those closer to it than
-/// 0.215 of the `horizon` [length], as bonds that cross the rim bend over a part of their length (theory.md, "Hubs").
+/// 0.215 of the `horizon` [length] that no crack parts from it: bonds that cross the rim bend over a part of their
+/// length (theory.md, "Hubs").
 /// @throws Refused  where its points lie on one line, or it fills a hole
-std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon);
+std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon,
+                         const std::vector<geometry::CrackPath>& paths);
 
 /// Finds the hubs on points that are corners of cells: each has the points on the rim of its hole, or those within its
 /// circle. `outline`: in lattice units.

@@ -361,9 +361,10 @@ ElasticSupports all(const Problem& problem, const std::vector<Point>& positions,
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud,
                                     const std::vector<FacePair>& faces) {
   const bool bends = problem.section.law == PlateLaw::bending;
-  const double horizon = problem.discretization.horizon();
+  const auto hubs = bends ? hubs_of(problem.supports, cloud, problem.discretization.horizon(), crack_paths(problem))
+                          : std::vector<Hub>();
   return all(
-      problem, cloud.positions, bends ? hubs_of(problem.supports, cloud, horizon) : std::vector<Hub>(), faces,
+      problem, cloud.positions, hubs, faces,
       [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },
       [&](const Spring& one, ElasticSupportSum& sum) {
         add_edges(one, problem, cloud, sum);

@@ -397,7 +397,8 @@ std::string to_json(const Summary& summary) {
   json["bonds"] = summary.bonds;
   json["fictitious_points"] = summary.fictitious_points;
   json["fictitious_bonds"] = summary.fictitious_bonds;
-  json["spacing"] = summary.spacing, json["horizon"] = summary.horizon;
+  json["spacing"] = summary.spacing;
+  json["horizon"] = summary.horizon;
   if (const auto& matched = summary.position_aware)
     json["position_aware"] = {
         {"exact", matched->exact}, {"blended", matched->blended}, {"arbitrary_horizon", matched->arbitrary_horizon}};
@@ -426,10 +427,7 @@ std::string to_json(const Summary& summary) {
   if (summary.accuracy) json["accuracy"] = json_of(*summary.accuracy);
   if (summary.targets) json["targets"] = json_of(*summary.targets);
   if (summary.analysis.kind == plate::Analysis::Kind::frequencies) json["frequencies"] = list_of(summary.frequencies);
-  if (summary.analysis.kind == plate::Analysis::Kind::buckling) {
-    json["buckling"] = Json::array();
-    for (const auto& one : summary.buckling) json["buckling"].push_back(json_of(one));
-  }
+  if (summary.analysis.kind == plate::Analysis::Kind::buckling) json["buckling"] = list_of(summary.buckling);
   if (summary.contact) json["contact"] = json_of(*summary.contact);
   if (!summary.load_steps.rows.empty()) json["load_steps"] = json_of(summary.load_steps);
   for (const auto& one : summary.response) json["response"].push_back(json_of(one));

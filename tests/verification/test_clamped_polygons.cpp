@@ -47,7 +47,7 @@ TEST_CASE("a clamped polygon deflects between the clamped circles inside and aro
   for (const double turn : {0.13, 0.37, 0.61}) {
     const double w = deflection(polygon(edges, turn, 1), spacing);
     CAPTURE(edges, spacing, turn, w / circle_deflection(1), w / circle_deflection(inside));
-    // of the second order, as edges on the lattice: -1.7 and -0.4 %; measured: 2.5 and 0.5 % below
+    // of the second order, as edges on the lattice: -1.7 and -0.4 %; measured: 2.4 and 0.5 % below
     CHECK(w > (1 - 12 * spacing * spacing) * circle_deflection(inside));
     CHECK(w < circle_deflection(1));
   }

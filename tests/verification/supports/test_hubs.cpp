@@ -228,6 +228,7 @@ TEST_CASE("a disc on the plate carries what a hub in a hole does") {
   for (const double degrees : {0.0, 27.0}) {
     check_eccentric(galerkin, false, "all", degrees, 0.02, {0.005, 0.005, 0.005, 0.005});
     check_eccentric(galerkin, false, "patch", degrees, 0.02, {0.005, 0.005, 0.005, 0.005});
+    // measured: deflection 0.4, 0.5 %, force 0.5, 0.7 %, moment 1.7, 0.6 %, turn 2.2, 1.2 %
     check_eccentric(ordinary, false, "all", degrees, 0.02, {0.005, 0.005, 0.02, 0.025});
     check_eccentric(ordinary, false, "patch", degrees, 0.02, {0.006, 0.008, 0.01, 0.015});
   }
@@ -306,7 +307,7 @@ TEST_CASE("the points of a hub move as one body, across the plate and in its pla
                                       {1e-12, 200000, {}})
                              .solution.state;
       const double horizon = kind == &ordinary ? c.discretization.horizon() : 0;
-      const auto hubs = hubs_of(c.supports, plate->cloud(), horizon);
+      const auto hubs = hubs_of(c.supports, plate->cloud(), horizon, {});
       REQUIRE(hubs.size() == 1);
       const bool plane = plate == plates.membrane.get();
       const double size = state.cwiseAbs().maxCoeff();

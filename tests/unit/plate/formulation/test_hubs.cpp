@@ -54,6 +54,26 @@ TEST_CASE("hubs: their points move as one rigid disc whose centre is held") {
   }
 }
 
+TEST_CASE("hubs: of bonds they have points about their circle, but none beyond a crack") {
+  const auto cloud = geometry::lattice(geometry::rectangle(0, 0, 2, 2), 0.1);
+  Support hub{SupportKind::hub, {}, {}};
+  hub.patch = geometry::Circle{{1, 1}, 0.4, ""};
+  const auto members = [&](double horizon, double crack_at) {
+    const std::vector<geometry::CrackPath> paths{
+        {{{crack_at, 0.5}, {crack_at, 1.5}}, geometry::End::tip, geometry::End::tip}};
+    return hubs_of({hub}, cloud, horizon, paths).front().points;
+  };
+  const auto nearer = [&](double radius, double x) {
+    std::size_t count = 0;
+    for (const auto& at : cloud.positions) count += (at - geometry::Point(1, 1)).norm() < radius && at.x() < x;
+    return count;
+  };
+  CHECK(members(0, 1.9).size() == nearer(0.4, 2));
+  CHECK(members(0.3, 1.9).size() == nearer(0.4645, 2));
+  CHECK(nearer(0.4645, 1.42) < nearer(0.4645, 2));
+  CHECK(members(0.3, 1.42).size() == nearer(0.4645, 1.42));
+}
+
 TEST_CASE("hubs: without a stiffness they do not move, and do so with one") {
   const auto hubs = [](std::optional<double> k_w, std::optional<double> k_phi) {
     Support hub{SupportKind::hub, {}, {}};
