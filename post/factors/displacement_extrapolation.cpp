@@ -96,6 +96,15 @@ Line fit(const std::vector<double>& r, const Eigen::VectorXd& value, int degree)
   return {coefficients[0], (basis * coefficients - value).norm() / std::sqrt(double(value.size()))};
 }
 
+/// The value at r = 0 of a straight line through the factors of the same opening with the tip `further` ahead.
+double at_tip_further(std::vector<double> r, Eigen::VectorXd K, double further) {
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    K[Eigen::Index(i)] *= std::sqrt(r[i] / (r[i] + further));
+    r[i] += further;
+  }
+  return fit(r, K, 1).at_zero;
+}
+
 }  // namespace
 
 OpeningFit paper_fit(const PlateScale& scale, const SrifOptions& options) {
@@ -201,6 +210,8 @@ Srif DisplacementExtrapolation::operator()(const plate::State& state) const {
     misfit[mode] = line.residual;
     spread[mode] =
         samples_.size() > 2 ? std::abs(fit(r, K.col(mode), how_.degree == 1 ? 2 : 1).at_zero - line.at_zero) : 0;
+    if (!how_.points_on_faces && !how_.tip_between_columns)
+      spread[mode] += std::abs(at_tip_further(r, K.col(mode), unknown_place(r.front())) - line.at_zero);
   }
   // K3 counts against moments by the thickness
   const double h = scale_.section.thickness, largest = largest_factor(result, h);

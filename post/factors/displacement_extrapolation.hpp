@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
@@ -65,6 +66,10 @@ private:
   };
 
   DisplacementExtrapolation(const geometry::Tip& tip, const PlateScale& scale, const OpeningFit& how);
+
+  /// Distance by which the points may end their crack ahead of the tip [length]: half way between two columns, from the
+  /// `first` sample behind the tip, and at least a quarter of a spacing.
+  double unknown_place(double first) const { return std::max(scale_.spacing / 4, scale_.spacing / 2 - first); }
 
   geometry::Tip tip_;
   PlateScale scale_;

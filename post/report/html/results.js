@@ -10,7 +10,7 @@ function header() {
       ["Outcome", element("b", { class: failed ? "failed" : stopped ? "rough" : "done" }, failed ? s.outcome : stopped ? s.growth.outcome : s.growth ? `done: ${s.growth.outcome}` : "done")],
       ["Analysis", `${a.kind}, ${spaced(a.method)}${a.preconditioner ? ` with ${spaced(a.preconditioner)}` : ""}${solved ? `, ${solved}` : ""}${s.membrane && a.iterations === 0 ? ": loaded in its plane alone" : a.stop_reason && !failed ? `: ${a.stop_reason}` : ""}`],
       ["Formulation", s.formulation === "galerkin" ? "Galerkin plate" : s.formulation === "ordinary" ? "bonds over a horizon" : s.formulation, ` (${s.formulation_reason})`],
-      ["Recipe", s.recipe],
+      ["Recipe", s.recipe?.replace(/: .*?(?=; the case has instead|$)/, "")],  // its keys stand in the case, below
       ["Plate", value("points", 6, whole(s.points)), ` points, spacing ${shown(s.spacing, 4)}${unit("length") ? ` ${unit("length")}` : ""}, ${whole(s.bonds)} bonds`],
       ["Time", value("seconds.total", 3, seconds(s.seconds.total)), `, ${bytes(s.peak_memory_bytes)} of memory`],
       ["Units", si ? "SI" : "those of the case, any that are consistent"],
