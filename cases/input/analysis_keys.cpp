@@ -67,8 +67,8 @@ Fields<plate::Discretization> discretization_fields() {
           .with(graded),
       boolean<D>("refine_tips", &D::refine_tips,
                  "at rest without tip_spacing: closer points at tips where the plate is thinner than 12 spacings, or "
-                 "something lies within 24 spacings of a tip, and, also for frequencies, at corners of the outline of "
-                 "more than 200 degrees")
+                 "something lies within 24 spacings of a tip, and, also for frequencies, at corners of the outline "
+                 "and of polygon holes of more than 200 degrees")
           .with(graded),
       number<D>("spacing_growth", "-", &D::spacing_growth, {0.02, 1}, "growth of that distance per length from there")
           .with(graded),

@@ -6,6 +6,7 @@
 
 #include "cases/input/case_file.hpp"
 #include "cases/input/keys.hpp"
+#include "geometry/shape/predicates.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/membrane.hpp"
 #include "post/factors/plate_factors.hpp"
@@ -225,7 +226,11 @@ void resolve_grading(Case& content, const Reading& reading) {
     d.tip_spacing = post::tip_spacing_for(content);
     if (d.tip_spacing && !reading.given("discretization.spacing_growth")) d.spacing_growth = 0.1;
   }
-  if (!d.tip_spacing && !geometry::reentrant_corners(content.outline.outer.vertices).empty()) d.tip_spacing = d.spacing;
+  if (d.tip_spacing || geometry::singular_corners(content.outline).empty()) return;
+  d.tip_spacing = d.spacing;
+  const bool in_holes_alone = geometry::reentrant_corners(content.outline.outer.vertices).empty();
+  if (in_holes_alone && !reading.given("discretization.spacing_growth"))
+    d.spacing_growth = 0.3;  // about twice the points
 }
 
 void resolve_method(Case& content, const Reading& reading) {

@@ -351,6 +351,18 @@ std::vector<Point> reentrant_corners(const std::vector<Point>& outer) {
   return result;
 }
 
+std::vector<Point> singular_corners(const Outline& outline) {
+  auto result = reentrant_corners(outline.outer.vertices);
+  for (const Hole& hole : outline.holes)
+    if (const auto* polygon = std::get_if<Polygon>(&hole)) {
+      Ring ring = polygon->vertices;
+      if (signed_area(ring) > 0) std::reverse(ring.begin(), ring.end());  // so that the plate lies on its left
+      const auto corners = reentrant_corners(ring);
+      result.insert(result.end(), corners.begin(), corners.end());
+    }
+  return result;
+}
+
 std::vector<GeometryError> errors(const Outline& outline) {
   std::vector<GeometryError> found;
   const auto note = [&](const std::string& where, const std::vector<std::string>& all) {

@@ -28,6 +28,9 @@ int position(const Ring& ring, const Point& x);
 /// Positive where the ring runs counter-clockwise.
 double signed_area(const Ring& ring);
 
+/// Corners of the outer polygon and of polygonal holes at which the plate takes more than 200 degrees.
+std::vector<Point> singular_corners(const Outline& outline);
+
 /// The point of the segment ab nearest to x.
 Point nearest_on_segment(const Point& a, const Point& b, const Point& x);
 

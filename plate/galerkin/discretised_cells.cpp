@@ -69,7 +69,7 @@ geometry::Grading grading_of(const Problem& c, double factor) {
   if (!d.tip_spacing) return result;
   const double wide = d.spacing_growth * d.spacing, layer = c.section.layer();
   const double at_edges = std::max({wide, std::sqrt(wide * layer), of_growth * d.spacing_growth * layer});
-  result.corners = geometry::reentrant_corners(c.outline.outer.vertices);
+  result.corners = geometry::singular_corners(c.outline);
   result.at_corners = factor * wide / 2;
   if (at_edges < 0.7 * d.spacing)
     for (auto& name : layered_edges(c))

@@ -204,6 +204,12 @@ TEST_CASE("points are refined at tips where factors need it, and the resolved ca
   CHECK(*spacing_at_tips(plain, {spacing, none, corner}) == 0.01);
   CHECK_FALSE(spacing_at_tips(plain, {spacing, none, square}));
   CHECK_FALSE(spacing_at_tips(plain, {spacing, none, corner, "discretization.refine_tips=false"}));
+  // at corners of polygon holes, with a growth that needs few points
+  const std::string hole = "geometry.holes=[{polygon=[[0.4,0.4],[0.6,0.4],[0.5,0.6]]}]";
+  CHECK(*spacing_at_tips(plain, {spacing, none, square, hole}) == 0.01);
+  CHECK(read(plain, {spacing, none, square, hole}).content.discretization.spacing_growth == 0.3);
+  CHECK(read(plain, {spacing, none, corner, hole}).content.discretization.spacing_growth == 0.2);
+  CHECK_FALSE(spacing_at_tips(plain, {spacing, none, square, "geometry.holes=[{circle=[0.5,0.5,0.1]}]"}));
   CHECK_FALSE(spacing_at_tips(plain, {spacing, none, corner, "discretization.formulation=ordinary"}));
   CHECK_FALSE(spacing_at_tips(
       plain, {spacing, none, corner, "section.density=1", "analysis={kind=\"dynamic\", duration=0.05}"}));

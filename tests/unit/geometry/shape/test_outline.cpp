@@ -3,7 +3,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/shape/outline.hpp"
+#include "geometry/shape/predicates.hpp"
 #include "tests/catch.hpp"
 
 using namespace geometry;
@@ -225,6 +225,21 @@ TEST_CASE("re-entrant corners are those beyond 200 degrees, in any direction") {
   }
   CHECK(geometry::reentrant_corners({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.95}, {0, 1}}).empty());  // 191 degrees
   CHECK(geometry::reentrant_corners({{0, 0}, {1, 0}, {1, 1}, {0.5, 0.5}, {0, 1}}).size() == 1);
+}
+
+TEST_CASE("re-entrant corners of holes: clockwise, sharp ones and not those of a polygon like a circle") {
+  const std::vector<Point> hole{{0, 0}, {0, 1}, {1, 1}, {1, 0.8}, {0.2, 0.8}, {0.2, 0}};  // an L
+  auto found = geometry::reentrant_corners(hole);
+  CHECK(found.size() == 5);
+  CHECK(std::ranges::find(found, Point(0.2, 0.8)) == found.end());
+  std::vector<Point> round, square;
+  for (int i = 0; i < 24; ++i)
+    round.emplace_back(std::cos(i * std::numbers::pi / 12), -std::sin(i * std::numbers::pi / 12));
+  for (int i = 0; i < 24; i += 6) square.push_back(round[std::size_t(i)]);
+  CHECK(geometry::reentrant_corners(round).empty());
+  CHECK(geometry::reentrant_corners(square).size() == 4);
+  CHECK(geometry::singular_corners(plate_with_square_hole()).size() == 4);  // given counter-clockwise
+  CHECK(geometry::singular_corners(plate_with_disc(1)).empty());
 }
 
 TEST_CASE("meet: sharing a point, in line or not") {
