@@ -60,7 +60,7 @@ struct Grading {
     double beyond;   // their growth farther away
   };
   std::vector<Edge> edges = {};
-  /// Corners of the outer polygon that reach into the plate, on which points are at_corners apart [length].
+  /// Corners that reach into the plate, on which points are at_corners apart [length].
   std::vector<Point> corners = {};
   double at_corners = 0;
 };
