@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <mutex>
+#include <optional>
 
 #include "geometry/lattice/cloud.hpp"
 #include "plate/bonds/family_weights.hpp"
@@ -198,13 +201,32 @@ private:
 
   LatticeOperator op_;
   std::optional<MatchCounts> match_;
+  mutable std::once_flag indexed_;
+  mutable std::optional<geometry::CellIndex> index_;  // of the points, from the first place on
 };
 
 std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
-  if (const double away = distance_to_points(cloud(), at); away > reach_of_places)
-    throw Refused({{Subject::geometry, 0, too_far("place", at, away, reach_of_places)}});
+  constexpr int cells = 4;  // have all points within two times reach_of_places
+  const auto& lattice = boundary().lattice;
   const auto& units = cloud().units;
-  return visible_place(at, units, boundary().lattice, cloud().plate_points, geometry::to_lattice(paths(), units));
+  std::call_once(indexed_, [&] {
+    const auto last = lattice.begin() + std::ptrdiff_t(cloud().plate_points);
+    index_.emplace(std::vector<Point>(lattice.begin(), last));
+  });
+  const Point u = units.to_lattice(at);
+  std::vector<std::uint32_t> about;
+  for (int row = -cells; row <= cells; ++row)
+    for (int column = -cells; column <= cells; ++column)
+      if (const auto k = index_->at(u + Point(column, row))) about.push_back(*k);
+  std::ranges::sort(about);
+  std::vector<Point> near;
+  for (const auto k : about) near.push_back(lattice[k]);
+  if (std::ranges::none_of(near, [&](const Point& x) { return (x - u).norm() <= reach_of_places; }))
+    throw Refused(
+        {{Subject::geometry, 0, too_far("place", at, distance_to_points(cloud(), at), reach_of_places)}});
+  auto result = visible_place(at, units, near, near.size(), geometry::to_lattice(paths(), units));
+  for (auto& share : result) share.point = about[share.point];
+  return result;
 }
 
 std::unique_ptr<Preconditioner> OrdinaryPlate::factor() const {

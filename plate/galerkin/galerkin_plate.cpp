@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "geometry/cells/tessellation.hpp"
@@ -75,7 +77,8 @@ public:
     return plate::resultants(state, op_.families(), sections());
   }
   std::vector<PlaceShare> interpolation(const Point& at) const override {
-    return plate::interpolation(geometry::CellLocator(cells_), cells_.units.spacing, at);
+    std::call_once(located_, [&] { locate_.emplace(cells_); });
+    return plate::interpolation(*locate_, cells_.units.spacing, at);
   }
   Mesh mesh() const override {
     return {cells_.positions,
@@ -137,6 +140,8 @@ private:
   GalerkinOperator op_;
   std::vector<Point> seen_;            // geometry::positions_inside_faces()
   std::vector<std::uint32_t> number_;  // in the global plate, where it is distributed
+  mutable std::once_flag located_;
+  mutable std::optional<geometry::CellLocator> locate_;  // from the first place on
 };
 
 std::vector<double> GalerkinPlate::cut_at(const StartOfCracks& start) const {
