@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "cases/driver/prepared.hpp"
@@ -280,9 +281,14 @@ std::optional<post::OtherResults> other_results(const CaseFile& file, const RunO
     result.content.discretization = widened(file.content.discretization, ratio);
     return result;
   };
-  if (file.content.discretization.formulation->offers(plate::Feature::horizon))
-    if (auto found = results_of([&] { return in_other_formulation(coarser(1.5)); }, options))
+  if (file.content.discretization.formulation->offers(plate::Feature::horizon)) {
+    // the error of bonds falls with the spacing, that of the Galerkin plate with its square
+    constexpr double enough_points = 9000, least = 1.5, most = 2.5;
+    const double points = geometry::area(file.content.outline) / std::pow(file.content.discretization.spacing, 2);
+    const double ratio = std::clamp(std::sqrt(points / enough_points), least, most);
+    if (auto found = results_of([&] { return in_other_formulation(coarser(ratio)); }, options))
       return post::OtherResults{std::move(*found), of_bonds, 3, 1};
+  }
   for (const double ratio : {3.0, 2.0, 1.5})
     if (auto found = results_of([&] { return coarser(ratio); }, options))
       return post::OtherResults{std::move(*found), margin / (ratio - 1)};

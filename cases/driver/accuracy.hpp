@@ -43,7 +43,8 @@ std::vector<std::vector<post::Srif>> coarser_factors(const CaseFile& file, const
                                                      std::vector<std::string>& warnings);
 
 /// Results of a case at rest or of its frequencies by other points, by which their errors are estimated: those of bonds
-/// by the Galerkin plate, others with twice the spacing. Absent, with a warning, where no such plate can be had.
+/// by the Galerkin plate of 1.5 to 2.5 times the spacing, others by three times the spacing, else by 2 or 1.5 times.
+/// Absent, with a warning, where no such plate can be had.
 std::optional<post::OtherResults> other_results(const CaseFile& file, const RunOptions& options,
                                                 std::vector<std::string>& warnings);
 
