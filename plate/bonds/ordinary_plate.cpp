@@ -222,8 +222,7 @@ std::vector<PlaceShare> OrdinaryPlate::interpolation(const Point& at) const {
   std::vector<Point> near;
   for (const auto k : about) near.push_back(lattice[k]);
   if (std::ranges::none_of(near, [&](const Point& x) { return (x - u).norm() <= reach_of_places; }))
-    throw Refused(
-        {{Subject::geometry, 0, too_far("place", at, distance_to_points(cloud(), at), reach_of_places)}});
+    throw Refused({{Subject::geometry, 0, too_far("place", at, distance_to_points(cloud(), at), reach_of_places)}});
   auto result = visible_place(at, units, near, near.size(), geometry::to_lattice(paths(), units));
   for (auto& share : result) share.point = about[share.point];
   return result;
