@@ -94,6 +94,7 @@ struct TipErrorWeights {
   bool domain_integral;  // is always the better of the two integrals
   double own_shear = 0;  // of K3 itself; with points on faces times 1 + their distance over the layer
   double stairs = 0;  // of the angle between a crack and the lattice, as a turn of K1 and K2 where a fit sees no step
+  double near_sliding = 0;  // added to `near` in K2
 };
 
 /// A plate as the tips of its cracks see it: its points, and what of its mechanics depends on the formulation. All that

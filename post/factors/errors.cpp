@@ -95,6 +95,7 @@ private:
   Eigen::Vector3d unresolved() const {
     constexpr double in_bending = 0.0008, served = 0.5;  // layers
     Eigen::Vector3d result = Eigen::Vector3d::Constant(shares_.least + in_bending * std::max(0.0, faces() - served));
+    result[1] += shares_.sliding;
     result[2] += shares_.layer * std::pow(std::min(shares_.width, 1.5), 3);
     return result.cwiseQuotient(scale_);
   }

@@ -22,6 +22,7 @@ struct ErrorShares {
   double own_shear = 0;  // of K3 itself, times one more than the spacing on the faces [layers]
   double tied = 0;       // 1 where K3 is zero, because a shear layer holds both faces together
   double turn = 0;       // of K1 and K2 [rad]
+  double sliding = 0;    // of the largest factor, added to `least` in K2
 };
 
 /// Estimates the errors of what all methods found at one tip; methods whose energy release rate is not positive are

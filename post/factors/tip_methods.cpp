@@ -29,19 +29,20 @@ ErrorShares shares_of(const TipView& plate, const TipPlace& place, const plate::
   const double least = plate.spacing / 2;
   const double near =
       plate.spacing * std::max(1 / std::max(place.clear, least), 0.5 / std::max(place.narrowest, least));
-  return {trust.energy,
-          trust.shear,
-          trust.fits,
-          trust.fits_shear,
-          std::max(6e-4, trust.near * near) + place.known_error,
-          trust.layer,
-          trust.width / section.layer(),
-          trust.doubt,
-          plate.points_on_faces ? place.faces / section.layer() : 0,
-          trust.lost,
-          section.isotropic() ? 0 : interaction_error * plate.spacing / section.thickness,
-          trust.own_shear,
-          place.tied ? 1.0 : 0.0};
+  return {.energy = trust.energy,
+          .shear = trust.shear,
+          .fits = trust.fits,
+          .fits_shear = trust.fits_shear,
+          .least = std::max(6e-4, trust.near * near) + place.known_error,
+          .layer = trust.layer,
+          .width = trust.width / section.layer(),
+          .doubt = trust.doubt,
+          .faces = plate.points_on_faces ? place.faces / section.layer() : 0,
+          .lost = trust.lost,
+          .mixing = section.isotropic() ? 0 : interaction_error * plate.spacing / section.thickness,
+          .own_shear = trust.own_shear,
+          .tied = place.tied ? 1.0 : 0.0,
+          .sliding = trust.near_sliding * near};
 }
 
 /// Angle by which a staircase of points turns the field that a fit within `reach` sees: at most the angle between the

@@ -112,6 +112,16 @@ const std::vector<CrackedStrip> central_cracks{
 const std::vector<CrackedStrip> edge_cracks{
     {4, 0.1, 0.37603}, {4, 0.2, 0.61148}, {4, 0.3, 0.90914}, {4, 0.4, 1.3353}, {4, 0.5, 1.9972}};
 
+/// N1 and N2 of a central crack of the length 0.4 at an angle [degrees] in a square of the width 1 under the tension 1.
+struct CrackInSquare {
+  double angle, N1, N2;
+};
+
+const std::vector<CrackInSquare> cracks_in_squares{
+    {0, 0.54378, 0.00000},  {10, 0.52754, 0.08813}, {20, 0.48046, 0.16591},
+    {30, 0.40768, 0.22363}, {40, 0.31804, 0.25371}, {50, 0.22301, 0.25245},
+    {60, 0.13441, 0.22072}, {70, 0.06273, 0.16302}, {80, 0.01615, 0.08649}};
+
 /// The plate of bonds, with its edges where cells end.
 cases::Case of_bonds(cases::Case c, double spacing) {
   c.discretization = {};
@@ -270,6 +280,32 @@ TEST_CASE("in the plane: oblique cracks in a wide plate follow the angle", "[in_
       CHECK(srif.K1 == Approx(straight * C * C).margin(0.003 * straight));
       CHECK(std::abs(srif.K2) == Approx(straight * C * S).margin(0.003 * straight));
     }
+  }
+}
+
+TEST_CASE("in the plane: cracks at nine angles in a square have the factors of finite elements", "[in_plane]") {
+  constexpr double a = 0.2;
+  for (const auto& [angle, N1, N2] : cracks_in_squares) {
+    const double scale = std::hypot(N1, N2);
+    const auto check = [&](const cases::Case& c, double most) {
+      for (const auto& srif : factors_of(c)) {
+        const double off[] = {std::abs(srif.K1 - N1), std::abs(std::abs(srif.K2) - N2)};
+        INFO(c.discretization.formulation->name << ", angle " << angle << ": " << off[0] / scale << " "
+                                                << off[1] / scale);
+        for (const std::size_t i : {0, 1}) {
+          CHECK(off[i] < most * scale);
+          CHECK(off[i] < *srif.errors[i] + 2e-4 * scale);
+        }
+      }
+    };
+    auto fine = cracked(1, a, angle);
+    fine.discretization.tip_spacing = a / 100, fine.discretization.spacing_growth = 0.05;
+    check(fine, 0.003);
+    check(cracked(1, a, angle), 0.004);
+    auto bonds = of_bonds(pulled(1, 1, 0, 0.0125, {0, 1, 0}), 0.0125);
+    bonds.cracks = {turned({{-a, 0}, {a, 0}}, angle)};
+    hold_points_in_plane(bonds);
+    check(bonds, 0.035);  // measured: 2.3 % of N1, 3.0 % of N2
   }
 }
 
