@@ -135,6 +135,35 @@ TEST_CASE("contact: factors of a crack in an infinite plate, at any angle and pl
   CHECK(run.summary.contact->closed_share == Approx(1));
 }
 
+// Under an even pressure along the face that touches, as by the tension -p and the moment p h / 2, nothing opens. So
+// the factors of a crack that is closed at one face are those of the moment M + N h / 2.
+TEST_CASE("contact: tension raises the factors of a closed crack as its moment about the face that touches",
+          "[in_plane]") {
+  const auto [over_half_length, K1_of_moment, angle] =
+      GENERATE(table<double, double, double>({{0.4, 0.2210837, 0}, {1, 0.2286582, 30}, {4, 0.2430584, 0}}));
+  const double a = 0.05;
+  Cracked plate{.thickness = over_half_length * a,
+                .side = 4,
+                .length = 2 * a,
+                .spacing = 0.1,
+                .angle = angle,
+                .middle = {0.03, 0.02}};
+  const double across = std::pow(std::cos(angle * std::numbers::pi / 180), 2);
+  for (const double share : {0.5, 1.0, -0.8}) {  // N h / (2 M)
+    plate.traction = 2 * share / plate.thickness;
+    const Run run(plate);
+    check_complementarity(run);
+    const double K1 = (1 + share) * K1_of_moment * std::sqrt(a) * across;
+    for (const std::size_t which : {0, 1}) {
+      const auto& tip = run.tip(which);
+      INFO("h/a " << over_half_length << ", angle " << angle << ", N h / 2 M " << share << ", K1 " << tip.K1 / K1 - 1);
+      CHECK(std::abs(tip.K1 - K1) < 0.006 * K1_of_moment * std::sqrt(a) * across * (1 + std::abs(share)));
+      CHECK(std::abs(tip.K1 - K1) < *tip.errors[0]);
+    }
+    CHECK(run.summary.contact->closed_share == Approx(1));
+  }
+}
+
 TEST_CASE("contact: squares against finite elements", "[in_plane]") {
   struct Square {
     std::string words;
