@@ -152,7 +152,7 @@ post::Table energy_check(const CaseFile& file) {
 void say_doubts_of_growth(const std::filesystem::path& folder) {
   const auto summary = post::read_summary(folder / "summary.json");
   if (!summary || !summary->growth) return;
-  if (summary->growth->outcome.find("not resolved") != std::string::npos)
+  if (!summary->growth->resolved)
     post::say("warning: the growth stopped unresolved, and the cycles end there; see growth.outcome in summary.json\n");
   for (const auto& warning : summary->warnings)
     if (warning.starts_with("load factors are uncertain") || warning.starts_with("directions of tips"))

@@ -198,6 +198,7 @@ void QuasiStaticRun::record() {
 post::GrowthSummary QuasiStaticRun::growth_summary() const {
   post::GrowthSummary growth;
   growth.outcome = fracture::in_words(outcome_.ended, growth_.by_bonds());
+  growth.resolved = outcome_.ended.how != fracture::End::not_resolved;
   growth.advances = model_->advances();
   growth.first_load_factor = tips_ ? first_factor_.value_or(0) : first_factor_;
   growth.largest_load_factor = largest_factor_;

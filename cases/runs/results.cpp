@@ -168,7 +168,9 @@ post::Cracks Results::finish_growth() {
                                        outcome.spent,
                                        outcome.largest_speed,
                                        outcome.broken,
-                                       outcome.lengths};
+                                       outcome.lengths,
+                                       {},
+                                       outcome.stopped.empty() && outcome.unsteady.empty()};
   auto spent = fracture::warnings_about_spent_energy(*content().growth, outcome, content().section, remedy());
   const std::string by_bonds = "set `criterion` = \"bond_energy\"";
   for (auto& line : spent)

@@ -178,7 +178,7 @@ Json json_of(const Frequency& frequency) {
 }
 
 Json json_of(const GrowthSummary& growth) {
-  Json json{{"outcome", growth.outcome}, {"advances", growth.advances}};
+  Json json{{"outcome", growth.outcome}, {"resolved", growth.resolved}, {"advances", growth.advances}};
   add(json, "first_load_factor", growth.first_load_factor);
   add(json, "first_load_factor_error", growth.first_load_factor_error);
   add(json, "largest_load_factor", growth.largest_load_factor);

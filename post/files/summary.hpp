@@ -198,6 +198,7 @@ struct GrowthSummary {
   std::optional<std::size_t> broken_bonds;             // where bonds break one by one
   std::vector<double> lengths;                         // of every crack at the end [length]
   std::optional<double> first_load_factor_error = {};  // estimated, of tips
+  bool resolved = true;                                // false: it stopped as its next advance is not resolved
 };
 
 /// Summary of the search for the discretisation.

@@ -58,7 +58,7 @@ std::optional<Srif> srif_of(const Json& json) {
 
 GrowthSummary growth_of(const Json& json) {
   GrowthSummary growth;
-  growth.outcome = json.at("outcome");
+  growth.outcome = json.at("outcome"), growth.resolved = json.value("resolved", true);
   growth.advances = json.at("advances");
   growth.first_load_factor = optional<double>(json, "first_load_factor");
   growth.first_load_factor_error = optional<double>(json, "first_load_factor_error");

@@ -265,6 +265,7 @@ TEST_CASE(
   CHECK(ended.exit_code == 0);
   const auto summary = text_of(scratch / "ice" / "summary.json");
   CHECK(summary.find("\"outcome\": \"stopped: not resolved: the tip at (10, 4)") != std::string::npos);
+  CHECK(summary.find("\"resolved\": false") != std::string::npos);
   const auto cycles =
       program({"fatigue", (scratch / "ice").string(), "--coefficient", "1e-30", "--exponent", "3"}).output;
   INFO(cycles);
