@@ -205,7 +205,7 @@ TEST_CASE("points are refined at tips where factors need it, and the resolved ca
   CHECK_FALSE(spacing_at_tips(plain, {spacing, none, square}));
   CHECK_FALSE(spacing_at_tips(plain, {spacing, none, corner, "discretization.refine_tips=false"}));
   // at corners of polygon holes, with a growth that needs few points
-  const std::string hole = "geometry.holes=[{polygon=[[0.4,0.4],[0.6,0.4],[0.5,0.6]]}]";
+  const std::string hole = "geometry.holes=[{polygon=[[0.1,0.1],[0.3,0.1],[0.2,0.3]]}]";
   CHECK(*spacing_at_tips(plain, {spacing, none, square, hole}) == 0.01);
   CHECK(read(plain, {spacing, none, square, hole}).content.discretization.spacing_growth == 0.3);
   CHECK(read(plain, {spacing, none, corner, hole}).content.discretization.spacing_growth == 0.2);
