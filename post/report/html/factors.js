@@ -150,12 +150,18 @@ function stress_near_rows() {
   });
 }
 
+/** What `of` gives of all load cases and combinations, those first that take most of the toughness. */
+function of_cases(all, of) {
+  const share = one => Math.max(0, ...(one.srif ?? []).map(srif => srif.faces?.utilisation ?? 0));
+  return all.map((one, n) => ({ one, n })).sort((a, b) => share(b.one) - share(a.one)).flatMap(({ one, n }) => of(one, n));
+}
+
 /** Tables of a row for each load case: so many columns as fit side by side in each. */
 function tables_of_cases(all, columns, cell, name) {
   const most = 6, result = [];
   for (let begin = 0; begin < columns.length; begin += most) {
     const some = columns.slice(begin, begin + most);
-    result.push(table([{ title: "case", left: true }, ...some.map(title => ({ title }))], all.map((one, n) => [one.name, ...some.map((_, k) => cell(n, begin + k))]), { "data-table": name }));
+    result.push(table([{ title: "case", left: true }, ...some.map(title => ({ title }))], of_cases(all, (one, n) => [[one.name, ...some.map((_, k) => cell(n, begin + k))]]), { "data-table": name }));
   }
   return result;
 }
@@ -189,7 +195,7 @@ function moments_of_cases(all) {
 function reactions_in_plane(all) {
   const forces = all.flatMap(one => (one.membrane?.reactions ?? []).flatMap(support => [support.force_x, support.force_y]));
   const { factor, name: of_unit } = prefixed("force", forces), least = 1e-9 * largest(forces);
-  const rows = all.flatMap((one, n) => (one.membrane?.reactions ?? []).map((support, i) => (Math.max(Math.abs(support.force_x), Math.abs(support.force_y)) <= least ? null : [one.name, support.name,
+  const rows = of_cases(all, (one, n) => (one.membrane?.reactions ?? []).map((support, i) => (Math.max(Math.abs(support.force_x), Math.abs(support.force_y)) <= least ? null : [one.name, support.name,
     ...["force_x", "force_y"].map(name => value(`load_cases[${n}].membrane.reactions[${i}].${name}`, 5, Math.abs(support[name]) <= least ? "0" : null, factor))]))).filter(Boolean);
   if (rows.length === 0) return null;
   return [element("h3", {}, "Forces of the supports in the plane"), table([{ title: "case", left: true }, { title: "support", left: true },
@@ -212,7 +218,7 @@ function probes_of_cases(all) {
 function contact_of_cases(all) {
   if (!all.some(one => one.contact)) return null;
   return [element("h3", {}, "Contact of crack faces"), table([{ title: "case", left: true }, { title: "closed, % of the length" }, { title: "largest pressure", unit: si ? "N/m" : "" }, { title: "least opening", unit: unit("length") }],
-    all.map((one, n) => [one.name, shown(100 * one.contact.closed_share, 3), value(`load_cases[${n}].contact.largest_pressure`, 4), value(`load_cases[${n}].contact.least_opening`, 4)]), { "data-table": "contact" }), plots(contact_plots())];
+    of_cases(all, (one, n) => [[one.name, shown(100 * one.contact.closed_share, 3), value(`load_cases[${n}].contact.largest_pressure`, 4), value(`load_cases[${n}].contact.least_opening`, 4)]]), { "data-table": "contact" }), plots(contact_plots())];
 }
 
 /** The largest factors of every tip, and the load case that gives each; how much of the toughness is taken comes first. */
@@ -256,7 +262,7 @@ function factors_of_cases(all) {
   const used = all.some(one => one.srif.some(srif => typeof srif.faces?.utilisation === "number")), { factor, name: of_unit } = prefixed("face", equivalent);
   const columns = [{ title: "case", left: true }, { title: "tip" }, ...(used ? [{ title: "of the toughness" }] : []), ...factor_names.map(name => ({ title: name, unit: unit(name) })),
     ...(faces ? [{ title: ["K", element("sub", {}, "eq")], unit: of_unit, minor: true }] : [])];
-  const rows = all.flatMap((one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => {
+  const rows = of_cases(all, (one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => {
     const srif = one.srif[i], path = `load_cases[${n}].srif[${i}]`, K = srif.faces?.K_eq;
     return [one.name, value(`${path}.tip`), ...(used ? [utilisation_cell(`${path}.faces`, srif.faces)] : []), ...factor_names.map(name => factor_cell(srif, path, name)),
       ...(faces ? [typeof K === "number" ? with_error(`${path}.faces.K_eq`, srif.faces.estimated_error_K_eq, factor, 4) : "not resolved"] : [])];
@@ -267,7 +273,7 @@ function factors_of_cases(all) {
 /** Factors of loads in the plane in every load case and combination. */
 function in_plane_of_cases(all) {
   const values = all.flatMap(one => one.srif.flatMap(srif => in_plane_names.map(name => srif[name]))), { factor, name: of_unit } = prefixed("N1", values);
-  const rows = all.flatMap((one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => (one.srif[i].N1 === undefined ? null
+  const rows = of_cases(all, (one, n) => [...grouped(one.srif, srif => srif.tip).values()].map(([i]) => (one.srif[i].N1 === undefined ? null
     : [one.name, value(`load_cases[${n}].srif[${i}].tip`), ...in_plane_names.map(name => in_plane_cell(one.srif[i], `load_cases[${n}].srif[${i}]`, name, factor))]))).filter(Boolean);
   return rows.length ? [element("h3", {}, "In the plane"), table([{ title: "case", left: true }, { title: "tip" }, ...in_plane_names.map(title => ({ title, unit: of_unit }))], rows, { "data-table": "in_plane" })] : null;
 }
@@ -278,8 +284,8 @@ function load_cases_section() {
   if (!Array.isArray(all) || all.length === 0) return null;
   const peak = index_of_peak, probes = probes_of_cases(all);
   const scale = name => prefixed(name, all.map(one => one.extremes?.[peak(one, name)]?.value)), scales = { w: scale("w"), von_mises: scale("von_mises") };
-  const sizes = all.map((one, n) => [one.name, one.of ? Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`).join("") : "",
-    ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : with_error(`load_cases[${n}].extremes[${peak(one, name)}].value`, one.extremes[peak(one, name)].estimated_error, scales[name].factor, 5))), ...probes.cells(n)]);
+  const sizes = of_cases(all, (one, n) => [[one.name, one.of ? Object.entries(one.of).map(([name, x], i) => `${i ? " + " : ""}${shown(x, 6)} ${name}`).join("") : "",
+    ...["w", "von_mises"].map(name => (peak(one, name) < 0 ? null : with_error(`load_cases[${n}].extremes[${peak(one, name)}].value`, one.extremes[peak(one, name)].estimated_error, scales[name].factor, 5))), ...probes.cells(n)]]);
   return section("Every load case", factors_of_cases(all), in_plane_of_cases(all),
     element("h3", {}, "Deflections and stresses"), table([{ title: "case", left: true }, { title: "is", long: true, minor: true }, { title: "largest w", unit: scales.w.name }, { title: "largest von Mises", unit: scales.von_mises.name }, ...probes.columns], sizes, { "data-table": "extremes_of_cases" }),
     probes.blocks, reactions_of_cases(all), moments_of_cases(all), reactions_in_plane(all), contact_of_cases(all),

@@ -22,12 +22,25 @@ function decades(low, high) {
   return result;
 }
 
+/** Texts about places along a line [px], without those that would overlap one before. */
+function apart(texts, places) {
+  const character = 6.5, gap = 8;
+  let end = -Infinity;
+  return texts.map((text, i) => {
+    const half = character * text.length / 2;
+    if (text === "" || places[i] - half < end + gap) return "";
+    end = places[i] + half;
+    return text;
+  });
+}
+
 function axis_of(words, log, power) {
   const of_decade = (x, wide) => (wide ? /^1e/ : /^[125]e/).test(Number(x.toPrecision(6)).toExponential());
-  const words_of = (_, ticks) => {
+  const texts_of = ticks => {
     const shown_ticks = ticks.filter(x => x !== null), wide = log && shown_ticks.at(-1) > 2000 * shown_ticks[0];
     return ticks.map(x => (x === null || (log && !of_decade(x, wide)) ? "" : shown(Number((x / 10 ** power).toPrecision(6)), 6)));
   };
+  const words_of = (chart, ticks, axis) => (axis === 0 ? apart(texts_of(ticks), ticks.map(x => (x === null ? 0 : chart.valToPos(x, "x")))) : texts_of(ticks));
   return {
     label: words, labelSize: 22, labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif", stroke: style("--soft"), size: null,
     grid: { stroke: style("--grid"), width: 1 }, ticks: { stroke: style("--grid"), width: 1 }, values: words_of, filter: (_, ticks) => ticks, splits: log ? (_u, _axis, low, high) => decades(low, high) : undefined,

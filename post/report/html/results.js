@@ -2,7 +2,7 @@
 // What was run, warnings, energies, frequencies, growth, stages and memory.
 
 function header() {
-  const s = data.summary, a = s.analysis, failed = s.outcome !== "done", stopped = !failed && s.growth?.outcome.includes("stopped: not resolved");
+  const s = data.summary, a = s.analysis, failed = s.outcome !== "done", stopped = !failed && s.growth?.resolved === false;
   const solved = a.iterations !== undefined ? `${whole(a.iterations)} iterations` : a.steps !== undefined ? `${whole(a.steps)} steps` : "";
   return element("header", {}, element("h1", {}, data.title || s.title || "Untitled case"), data.source && data.source !== "none" ? note(data.source) : null,
     facts([
@@ -138,7 +138,7 @@ function probes_section() {
 function sums_along() {
   const { load_cases } = data.summary, words = { moment: "Mnn", twist: "Mns", shear: "Qn", normal_force: "Nnn", tangential_force: "Nns", K_front: "largest K" };
   const of = { moment: "moment", twist: "moment", shear: "force", normal_force: "force", tangential_force: "force", K_front: "face" };
-  const runs = load_cases ? load_cases.map((one, n) => ({ name: one.name, path: `load_cases[${n}].lines`, all: one.lines ?? [] })) : [{ path: "lines", all: data.summary.lines ?? [] }];
+  const runs = load_cases ? of_cases(load_cases, (one, n) => [{ name: one.name, path: `load_cases[${n}].lines`, all: one.lines ?? [] }]) : [{ path: "lines", all: data.summary.lines ?? [] }];
   const values = runs.flatMap(run => run.all), quantities = [...new Set(values.map(one => one.quantity))];
   if (values.length === 0) return null;
   const scales = Object.fromEntries(quantities.map(quantity => [quantity, prefixed(of[quantity], values.filter(one => one.quantity === quantity).map(one => one.value))]));
