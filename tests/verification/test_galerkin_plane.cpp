@@ -1,8 +1,8 @@
 // The thesis' own tests of its formulations in plane strain: shape function conditions, patch tests, eigenmodes.
 
+#include "cases/papers/bodies/galerkin/plane.hpp"
 #include "tests/catch.hpp"
 #include "tests/dense.hpp"
-#include "tests/verification/galerkin/plane.hpp"
 
 namespace gs = galerkin_systems;
 
@@ -22,42 +22,15 @@ gs::Body block(gs::Reach reach = gs::Reach::cells) {
   return gs::body({20, 10, 20, 10, 0, reach});
 }
 
-/// Bode 7.1
-gs::Field linear_field() {
-  const Eigen::Matrix2d H{{0.1, 0.3}, {0.2, 0.4}};
-  return {[H](const Eigen::Vector2d& x) { return Eigen::Vector2d(H * x); }, [H](const Eigen::Vector2d&) { return H; }};
+gs::Norms linear_patch(const gs::Body& b, const gs::Sparse& K, const Eigen::Matrix2Xd& normals) {
+  return gs::patch_norms(patch_solid, b, K, normals, gs::linear_field(), {0, 0});
 }
 
-/// Bode 7.4
-gs::Field quadratic_field() {
-  const auto value = [](const Eigen::Vector2d& moved) {
-    const double x = moved.x() - 1, y = moved.y() - 1;
-    return Eigen::Vector2d(0.12 * x + 0.14 * y + 0.16 * x * x + 0.18 * x * y + 0.2 * y * y,
-                           0.11 * x + 0.13 * y + 0.15 * x * x + 0.1 * x * y + 0.21 * y * y);
-  };
-  const auto gradient = [](const Eigen::Vector2d& moved) {
-    const double x = moved.x() - 1, y = moved.y() - 1;
-    return Eigen::Matrix2d{{0.12 + 0.32 * x + 0.18 * y, 0.14 + 0.18 * x + 0.4 * y},
-                           {0.11 + 0.3 * x + 0.1 * y, 0.13 + 0.1 * x + 0.42 * y}};
-  };
-  return {value, gradient};
+gs::Norms quadratic_patch(const gs::Body& b, const gs::Sparse& K) {
+  return gs::patch_norms(patch_solid, b, K, b.normals, gs::quadratic_field(), gs::quadratic_body_force(patch_solid));
 }
 
-/// Bode 7.6
-Eigen::Vector2d quadratic_body_force() {
-  const double l = patch_solid.lambda(), m = patch_solid.mu();
-  return {-(0.42 * l + 1.14 * m), -(0.6 * l + 1.32 * m)};
-}
-
-gs::Norms linear_patch(const gs::Body& b, const Eigen::MatrixXd& K, const Eigen::Matrix2Xd& normals) {
-  return gs::patch_norms(patch_solid, b, K, normals, linear_field(), {0, 0});
-}
-
-gs::Norms quadratic_patch(const gs::Body& b, const Eigen::MatrixXd& K) {
-  return gs::patch_norms(patch_solid, b, K, b.normals, quadratic_field(), quadratic_body_force());
-}
-
-Eigen::MatrixXd petrov(const gs::Body& b, const gs::System& test, gs::Petrov kind = gs::Petrov::first) {
+gs::Sparse petrov(const gs::Body& b, const gs::System& test, gs::Petrov kind = gs::Petrov::first) {
   return gs::petrov_stiffness(gs::law(patch_solid), b, gs::moving(b), test, kind);
 }
 

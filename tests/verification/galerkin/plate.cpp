@@ -5,7 +5,6 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace galerkin_systems {
 namespace {
@@ -113,31 +112,6 @@ Eigen::VectorXd patch_load(const Body& b, const Eigen::Matrix2d& M, const Eigen:
     f.segment<2>(3 * to + 1) -= force / 12 * edge;
   }
   return f;
-}
-
-Eigen::VectorXd solved(const Sparse& K, const Eigen::VectorXd& f, const Eigen::VectorXd& prescribed) {
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd u = prescribed.unaryExpr([](double v) { return std::isnan(v) ? 0 : v; });
-  std::vector<int> free_index(std::size_t(K.rows()), -1);
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index i = 0; i < K.rows(); ++i)
-    if (std::isnan(prescribed[i])) {
-      free_index[std::size_t(i)] = int(free.size());
-      free.push_back(i);
-    }
-  for (Eigen::Index j = 0; j < K.outerSize(); ++j)
-    for (Sparse::InnerIterator it(K, j); it; ++it) {
-      const int row = free_index[std::size_t(it.row())], column = free_index[std::size_t(it.col())];
-      if (row >= 0 && column >= 0) entries.emplace_back(row, column, it.value());
-    }
-  Sparse reduced(Eigen::Index(free.size()), Eigen::Index(free.size()));
-  reduced.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::VectorXd load = (f - K * u)(free);
-  const Eigen::SimplicialLDLT<Sparse> factor(reduced);
-  if (factor.info() != Eigen::Success) throw std::runtime_error("the stiffness has no factor");
-  const Eigen::VectorXd inner = factor.solve(load);
-  u(free) = inner;
-  return u;
 }
 
 Eigen::VectorXd all_frequencies(const Sparse& K, const Eigen::VectorXd& mass) {

@@ -1,7 +1,5 @@
 #pragma once
-#include <limits>
-
-#include "tests/verification/galerkin/systems.hpp"
+#include "cases/papers/bodies/galerkin/systems.hpp"
 
 /// A Mindlin plate of those systems; degrees of freedom (w, psi_x, psi_y) of point k at 3 k.
 namespace galerkin_systems {
@@ -18,8 +16,6 @@ struct Plate {
 /// mean. Along: at a bond's sample the bond's own shear along it, the family's mean across it.
 enum class Shear { bond, direct, assumed_bond, assumed_direct, assumed_along };
 
-using Sparse = Eigen::SparseMatrix<double>;
-
 Sparse stiffness(const Plate& plate, const System& system, const Body& b, Shear shear = Shear::bond);
 
 /// rho h V_k, rho h^3/12 V_k.
@@ -27,13 +23,6 @@ Eigen::VectorXd lumped_mass(const Plate& plate, const Body& b);
 
 /// Constant M and Q on the outline, and the body couple Q that balances Q. Q brings end couples q l^2 / 12.
 Eigen::VectorXd patch_load(const Body& b, const Eigen::Matrix2d& M, const Eigen::Vector2d& Q);
-
-/// K u = f with u given where `prescribed` is a number (not NaN).
-Eigen::VectorXd solved(const Sparse& K, const Eigen::VectorXd& f, const Eigen::VectorXd& prescribed);
-
-inline Eigen::VectorXd nothing_prescribed(Eigen::Index size) {
-  return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
-}
 
 /// All angular frequencies squared of K u = omega^2 M u, ascending; dense.
 Eigen::VectorXd all_frequencies(const Sparse& K, const Eigen::VectorXd& mass);

@@ -1,8 +1,7 @@
 // Bodies whose left half is four-noded elements and whose right half is families; the interface's nodes are both's.
 
+#include "cases/papers/bodies/galerkin/tasks.hpp"
 #include "tests/catch.hpp"
-#include "tests/verification/galerkin/plate.hpp"
-#include "tests/verification/galerkin/tasks.hpp"
 
 namespace gs = galerkin_systems;
 
@@ -10,24 +9,14 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-/// Bode 7.3.8: the sum of both stiffnesses, families cut at the interface and corrected to its normals.
-Eigen::MatrixXd coupled(const gs::Solid& solid, const gs::Body& whole, const gs::Basis& basis, double interface) {
-  const auto left = gs::part(whole, [=](const Eigen::Vector2d& x) { return x.x() < interface; });
-  const auto right = gs::part(whole, [=](const Eigen::Vector2d& x) { return x.x() > interface; });
-  Eigen::MatrixXd K = gs::plane_stiffness(solid, whole, gs::renamed(gs::bilinear(left.body), left.names));
-  std::vector<Eigen::Index> unknowns;
-  for (const int k : right.names) unknowns.insert(unknowns.end(), {2 * k, 2 * k + 1});
-  K(unknowns, unknowns) += gs::condensed(solid, gs::blocks(solid, right.body, basis));
-  return K;
-}
-
 gs::Norms patch(const char* name) {
   const gs::Solid solid{100, 0.3};
-  const Eigen::Matrix2d H{{0.1, 0.3}, {0.2, 0.4}};  // Bode 7.1
-  const gs::Field linear{[H](const Eigen::Vector2d& x) { return Eigen::Vector2d(H * x); },
-                         [H](const Eigen::Vector2d&) { return H; }};
   const gs::Body whole = gs::body({2, 2, 10, 10, 0.3, gs::basis(name).reach});
-  return gs::patch_norms(solid, whole, coupled(solid, whole, gs::basis(name), 1), whole.normals, linear, {0, 0});
+  const auto own = [&](const gs::Body& b) { return gs::condensed(solid, gs::blocks(solid, b, gs::basis(name))); };
+  return gs::patch_norms(solid, whole,
+                         gs::coupled(
+                             solid, whole, [](const auto& x) { return x.x() < 1; }, own),
+                         whole.normals, gs::linear_field(), {0, 0});
 }
 
 }  // namespace
@@ -68,9 +57,11 @@ TEST_CASE("coupling with elements: a cantilever, elements at its support, conver
   const auto exact = gs::quadratic_elements(solid, task, {64, 16});
   const auto error = [&](const char* name, const gs::Grid& grid, bool both) {
     const auto points = gs::placed(task, grid, gs::basis(name).reach);
-    const auto K = both ? coupled(solid, points.body, gs::basis(name), 4)
-                        : gs::condensed(solid, gs::blocks(solid, points.body, gs::basis(name)));
-    const auto u = gs::solved(K.sparseView(), gs::loads(task, points), gs::supports(task, points));
+    const auto own = [&](const gs::Body& b) { return gs::condensed(solid, gs::blocks(solid, b, gs::basis(name))); };
+    const auto K = both ? gs::coupled(
+                              solid, points.body, [](const auto& x) { return x.x() < 4; }, own)
+                        : own(points.body);
+    const auto u = gs::solved(K, gs::loads(task, points), gs::supports(task, points));
     return 100 * (u[u.size() - 1] / exact.watched - 1);
   };
   const gs::Grid coarse{16, 4}, fine{32, 8};

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "cases/papers/bodies/galerkin/tasks.hpp"
 #include "tests/catch.hpp"
-#include "tests/verification/galerkin/tasks.hpp"
 
 namespace gs = galerkin_systems;
 

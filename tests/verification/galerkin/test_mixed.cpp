@@ -1,8 +1,8 @@
 // The thesis' mixed and enriched bases in plane strain: patch test, modes of a free block, inf-sup values.
 
+#include "cases/papers/bodies/galerkin/mixed.hpp"
 #include "tests/catch.hpp"
 #include "tests/dense.hpp"
-#include "tests/verification/galerkin/mixed.hpp"
 
 namespace gs = galerkin_systems;
 
@@ -21,39 +21,8 @@ bool corrected(const gs::Basis& basis) {
 }
 
 /// Bode 7.1, 7.2
-gs::Norms patch(const gs::Body& b, const Eigen::MatrixXd& K, const Eigen::Matrix2Xd& normals) {
-  const Eigen::Matrix2d H{{0.1, 0.3}, {0.2, 0.4}};
-  const gs::Field linear{[H](const Eigen::Vector2d& x) { return Eigen::Vector2d(H * x); },
-                         [H](const Eigen::Vector2d&) { return H; }};
-  return gs::patch_norms(patch_solid, b, K, normals, linear, {0, 0});
-}
-
-/// PPG UnlP0: distortion as PPG1 (Bode 4.21), K at the masters alone (Bode 6.7); trial as Unl, test gradients apart.
-Eigen::MatrixXd petrov_constant_pressure(const gs::Body& b, const gs::System& test) {
-  const gs::System trial = gs::moving(b);
-  Eigen::MatrixXd K = gs::petrov_stiffness(gs::isochoric_law(patch_solid), b, trial, test, gs::Petrov::first);
-  for (std::size_t k = 0; k < test.size(); ++k) {
-    const auto& nodes = test[k].nodes;
-    const Eigen::Matrix2Xd &tested = test[k].samples[0].gradient, &tried = trial[k].samples[0].gradient;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      for (std::size_t j = 0; j < nodes.size(); ++j)
-        K.block<2, 2>(2 * nodes[i], 2 * nodes[j]) += b.areas[nodes[0]] * patch_solid.bulk() *
-                                                     tested.col(Eigen::Index(i)) *
-                                                     tried.col(Eigen::Index(j)).transpose();
-  }
-  return K;
-}
-
-/// The square of Bode 7.2.5: u_x = 0 on the left edge, u_y = 0 at its lower end.
-gs::InfSup inf_sup(const gs::Basis& basis, gs::Reach reach, int cells, double perturbation) {
-  const gs::Body b = gs::body({1, 1, cells, cells, perturbation, reach});
-  const auto blocks = gs::blocks(patch_solid, b, basis);
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index i = 0; i < blocks.gradients.rows(); ++i) {
-    const bool held = i < blocks.points && b.points(0, i / 2) == 0 && (i % 2 == 0 || b.points(1, i / 2) == 0);
-    if (!held) free.push_back(i);
-  }
-  return gs::inf_sup(blocks, free);
+gs::Norms patch(const gs::Body& b, const gs::Sparse& K, const Eigen::Matrix2Xd& normals) {
+  return gs::patch_norms(patch_solid, b, K, normals, gs::linear_field(), {0, 0});
 }
 
 }  // namespace
@@ -72,14 +41,14 @@ TEST_CASE("mixed bases: the linear patch (Bode 7.1, 7.2) passes with variational
 
 TEST_CASE("mixed bases: PPG UnlP0 passes the linear patch with corrections V1 and V3") {
   const gs::Body b = patch_body(gs::Reach::two_cells);
-  const auto u1 = gs::linear_static(b);
-  const auto raw = patch(b, petrov_constant_pressure(b, u1), b.normals);
+  const auto u1 = gs::linear_static(b), trial = gs::moving(b);
+  const auto raw = patch(b, gs::petrov_constant_pressure(patch_solid, b, u1, trial), b.normals);
   CAPTURE(raw.L2, raw.H1);
   CHECK((raw.L2 > 0.05 && raw.L2 < 0.2));  // measured: 0.153; thesis 0.086 with finer points
   CHECK((raw.H1 > 0.1 && raw.H1 < 0.5));   // measured: 0.376; thesis 0.25
   for (const auto& correction : {gs::constant_correction, gs::linear_correction}) {
     const auto test = gs::variationally_consistent(b, u1, correction);
-    const auto [L2, H1] = patch(b, petrov_constant_pressure(b, test), b.normals);
+    const auto [L2, H1] = patch(b, gs::petrov_constant_pressure(patch_solid, b, test, trial), b.normals);
     CAPTURE(L2, H1);
     CHECK(std::max(L2, H1) < rounding);  // measured: 3e-15; thesis V1 6e-3, V3 4e-14
   }
@@ -114,7 +83,7 @@ TEST_CASE("mixed bases: three zero modes of a free block at nu = 0.4, many low o
 
 TEST_CASE("mixed bases: inf-sup values (Bode 7.2.5): none of the mixed bases keeps its value as points get dense") {
   const auto value = [](const char* name, int cells, double perturbation, gs::Reach reach) {
-    return inf_sup(gs::basis(name), reach, cells, perturbation).value;
+    return gs::inf_sup(gs::basis(name), reach, cells, perturbation).value;
   };
   for (const int cells : {4, 8, 16}) {
     CHECK(value("UnlP0", cells, 0, gs::Reach::cells) < 0.01);    // measured: 0.0007, 0.0088, 0.0041
@@ -123,7 +92,7 @@ TEST_CASE("mixed bases: inf-sup values (Bode 7.2.5): none of the mixed bases kee
   for (const int cells : {4, 8}) {
     CHECK(value("U2P1C", cells, 0, gs::Reach::two_cells) < 0.005);  // measured: 0.0033, 0.0041
     // 3 pressures a point: more than the displacements can feel
-    const auto crowded = inf_sup(gs::basis("U2P1"), gs::Reach::two_cells, cells, 0.3);
+    const auto crowded = gs::inf_sup(gs::basis("U2P1"), gs::Reach::two_cells, cells, 0.3);
     CHECK(crowded.spurious == (cells == 4 ? 36 : 96));
     CHECK(crowded.value < (cells == 4 ? 0.05 : 0.01));  // measured: 0.043, 0.0089
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Sparse>
 #include <array>
 #include <functional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 namespace galerkin_systems {
 
 using Nodes = std::vector<int>;
+using Sparse = Eigen::SparseMatrix<double>;
 
 struct Triangle {
   std::array<int, 3> corners;  ///< anticlockwise
@@ -29,7 +31,7 @@ struct Body {
   double width, height;
 };
 
-/// Of a family: the cells at its master, 5 x 5 points, the 21 within the thesis' 2.51 spacings.
+/// Extent of a family: the cells at its master, 5 x 5 points, the 21 within the thesis' 2.51 spacings.
 enum class Reach { cells, two_cells, circle };
 
 struct Lattice {
@@ -90,8 +92,8 @@ System quadratic_static(const Body& b);
 /// Bilinear elements on the cells, 2 x 2 Gauss points: the finite elements that the thesis compares with.
 System bilinear(const Body& b);
 
-/// What U1 misses of the family's integration: H^ki - H^k = r (x) n on each bond, weights c_ki of PG-CA; `shear`
-/// multiplies the shear stiffness. The master's gradients are those of the first sample of each family of `u1`.
+/// Samples that U1 misses of the family's integration: H^ki - H^k = r (x) n on each bond, weights c_ki of PG-CA;
+/// `shear` multiplies the shear stiffness. The master's gradients are those of the first sample of each family of `u1`.
 System bond_residuals(const Body& b, const System& u1, double bending, double shear);
 
 /// U1SIG's addition: second derivatives at the master (Bode 6.28) times the second moment V^2 / (4 pi) of a disc,
@@ -109,8 +111,9 @@ Eigen::Matrix2Xd linear_correction(const Body& b, const Nodes& nodes);          
 Eigen::Matrix2Xd quadratic_correction(const Body& b, const Nodes& nodes);          ///< V4
 
 /// given: sum w G_i = A_i at all points. found: at inner points alone, alpha = 0 on the surface (the thesis' suffix s),
-/// where the sum is then the normal that loads must use.
-enum class Normals { given, found };
+/// where the sum is then the normal that loads must use. found_across: alpha = 0 in the direction of the surface's
+/// normal alone (suffix sn), for edges along x and y.
+enum class Normals { given, found, found_across };
 
 /// Adds (I - n n) alpha_k Phi^k_i to every gradient, alpha the least-norm solution of the integration constraint.
 System variationally_consistent(const Body& b, System system, const Correction& correction = linear_correction,
@@ -127,5 +130,15 @@ Eigen::Matrix2Xd taylor_gradient(const Body& b, const Nodes& nodes, int at);
 
 /// Quadratic Taylor expansion about the master: f,x f,y f,xx f,xy f,yy per node. 5 x nodes.
 Eigen::Matrix<double, 5, Eigen::Dynamic> quadratic_derivatives(const Body& b, const Nodes& nodes);
+
+/// Least-norm solution x of M x = t, of least squares where there is none; M may be singular.
+Eigen::VectorXd least_norm(const Sparse& M, const Eigen::VectorXd& t);
+
+/// K u = f with u given where `prescribed` is a number (not NaN); K is symmetric.
+Eigen::VectorXd solved(const Sparse& K, const Eigen::VectorXd& f, const Eigen::VectorXd& prescribed);
+
+inline Eigen::VectorXd nothing_prescribed(Eigen::Index size) {
+  return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
+}
 
 }  // namespace galerkin_systems

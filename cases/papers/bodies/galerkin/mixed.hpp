@@ -1,13 +1,11 @@
 #pragma once
 #include <string>
 
-#include "tests/verification/galerkin/plane.hpp"
+#include "cases/papers/bodies/galerkin/plane.hpp"
 
 /// Displacement, pressure and dilation as the thesis mixes them (Bode 6.2), linear: the potential of Hu and Washizu is
 /// mu (eps:eps - tr^2 eps / 3) + K Theta^2 / 2 + p (div u - Theta), Bode 2.43, 2.59; p is positive in tension.
 namespace galerkin_systems {
-
-using Sparse = Eigen::SparseMatrix<double>;
 
 /// Variation of p and Theta over a family.
 enum class Pressure {
@@ -49,8 +47,8 @@ struct Blocks {
 Blocks blocks(const Solid& solid, const Body& b, const System& system, Pressure pressure, bool bubble);
 Blocks blocks(const Solid& solid, const Body& b, const Basis& basis);
 
-/// Stiffness of the displacements with pressures (Bode 6.6) and bubbles condensed, dense.
-Eigen::MatrixXd condensed(const Solid& solid, const Blocks& blocks);
+/// Stiffness of the displacements with pressures (Bode 6.6) and bubbles condensed: full where there are any.
+Sparse condensed(const Solid& solid, const Blocks& blocks);
 
 struct PlaneSolution {
   Eigen::VectorXd u, p;  ///< displacements and pressures of the points
@@ -67,5 +65,13 @@ struct InfSup {
 };
 
 InfSup inf_sup(const Blocks& blocks, const std::vector<Eigen::Index>& free);
+
+/// The square of Bode 7.2.5 in cells x cells: u_x = 0 on the left edge, u_y = 0 at its lower end. Where the pressure is
+/// no field of its own: T of the divergences at all samples, no spurious ones are counted.
+InfSup inf_sup(const Basis& basis, Reach reach, int cells, double perturbation);
+
+/// PPG UnlP0: distortion as PPG1 (Bode 4.21), K at the masters alone (Bode 6.7); trial as Unl, test gradients apart.
+/// `dilation` has the gradients of the volume change, first samples: those of Unl, or the test's.
+Sparse petrov_constant_pressure(const Solid& solid, const Body& b, const System& test, const System& dilation);
 
 }  // namespace galerkin_systems

@@ -1,5 +1,5 @@
 #pragma once
-#include "tests/verification/galerkin/mixed.hpp"
+#include "cases/papers/bodies/galerkin/mixed.hpp"
 
 /// Plane problems on images of the unit square, solved by a basis on points and by biquadratic elements.
 namespace galerkin_systems {
@@ -54,6 +54,23 @@ struct Reference {
 };
 
 Reference quadratic_elements(const Solid& solid, const Task& task, const Grid& grid);
+
+/// Bode 7.3.8: the sum of the stiffness of four-noded elements on the cells whose middles the predicate holds, and of
+/// families on the others, cut at the interface and corrected to its normals. The interface's nodes are both's.
+Sparse coupled(const Solid& solid, const Body& whole, const std::function<bool(const Eigen::Vector2d&)>& in_elements,
+               const std::function<Sparse(const Body&)>& stiffness_of_families);
+
+/// Bode 7.3.8: a quarter of a plate with a hole of radius 1, to the square of half side 4, pulled by 1 along x; the
+/// outer edges have the tractions of the infinite plate. On the unit square the hole is s_x = 0, s_y is the angle from
+/// x. The thesis has its dimensions in a figure alone.
+Task plate_with_hole();
+
+/// Whether a point is in the outer half of the cells, which are elements.
+bool beyond_hole(const Eigen::Vector2d& x);
+
+/// Stress and, in plane strain, displacement of the infinite plate (Kirsch).
+Eigen::Matrix2d hole_stress(const Eigen::Vector2d& x);
+Eigen::Vector2d hole_displacement(const Solid& solid, const Eigen::Vector2d& x);
 
 Answer answer(const Solid& solid, const Basis& basis, const Task& task, const Grid& grid, const Reference& reference);
 
