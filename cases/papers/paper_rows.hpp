@@ -44,6 +44,7 @@ private:
   std::clock_t begun_ = std::clock();
 };
 
+PaperResults bode(const std::filesystem::path& folder);
 PaperResults scabbia2021(const std::filesystem::path& folder);
 PaperResults scabbia2023(const std::filesystem::path& folder);
 PaperResults scabbia_motion(const std::filesystem::path& folder);

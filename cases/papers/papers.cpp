@@ -63,6 +63,7 @@ std::optional<double> PaperRow::difference() const {
 
 const std::vector<Paper>& papers() {
   static const std::vector<Paper> all{
+      {"bode", "Bode: Peridynamic Galerkin methods, in the plane at small strains", bode},
       {"dai2021", "Dai, Tanaka, S. Oterkus, E. Oterkus (2021): intensity factors of cracked Mindlin plates", dai2021},
       {"scabbia2021", "Scabbia, Zaccariotto, Galvanetto (2021): fictitious nodes", scabbia2021},
       {"scabbia2023", "Scabbia, Zaccariotto, Galvanetto (2023): surface nodes in three dimensions", scabbia2023},

@@ -473,7 +473,7 @@ Eigen::VectorXd least_norm(const Sparse& M, const Eigen::VectorXd& t) {
   const Eigen::SimplicialLDLT<Sparse> factor(normal);
   if (factor.info() != Eigen::Success) throw std::runtime_error("the normal equations have no factor");
   Eigen::VectorXd x = Eigen::VectorXd::Zero(M.cols());
-  for (int repeated = 0; repeated < 30; ++repeated) {
+  for (int repeated = 0; repeated < 100; ++repeated) {
     const Eigen::VectorXd change = turned * factor.solve(t - M * x);
     x += change;
     if (change.norm() <= 1e-15 * x.norm()) break;
