@@ -13,7 +13,7 @@ std::pair<double, double> mismatch(const gs::Field& field,
                                    const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& body_force) {
   constexpr double step = 1e-5;
   double gradient = 0, force = 0;
-  for (const Eigen::Vector2d x : {Eigen::Vector2d(0.3, 0.4), Eigen::Vector2d(1.7, 0.9), Eigen::Vector2d(1.1, 1.8)}) {
+  for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.3, 0.4), Eigen::Vector2d(1.7, 0.9), Eigen::Vector2d(1.1, 1.8)}) {
     Eigen::Vector2d divergence = body_force(x);
     for (const int d : {0, 1}) {
       const Eigen::Vector2d to = step * Eigen::Vector2d::Unit(d);

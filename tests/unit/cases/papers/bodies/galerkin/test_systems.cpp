@@ -36,7 +36,7 @@ TEST_CASE("Galerkin thesis, systems: what is fixed on the surface are all factor
   };
   const auto given = residuals(gs::Normals::given), found = residuals(gs::Normals::found),
              across = residuals(gs::Normals::found_across);
-  const auto largest = [](double a, double b) { return std::max(a, std::abs(b)); };
+  const auto largest = [](double before, double value) { return std::max(before, std::abs(value)); };
   double inside = 0, along = 0, over = 0, both = 0;
   for (Eigen::Index k = 0; k < b.points.cols(); ++k) {
     const Eigen::Vector2d x = b.points.col(k);
