@@ -1,5 +1,7 @@
 #include "post/report/errors_of_results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -178,14 +180,18 @@ double set_errors_of_displacements(const Alike& own, const Alike& other, const O
   return group("bending").largest();
 }
 
+/// Corners have one relative error in common: two values at one of them may agree by chance.
 void set_errors_of_stress_near(std::vector<StressAtDistance>& own, const std::vector<StressAtDistance>& other,
                                const OtherResults& by) {
+  std::map<std::string, Differences> places;  // corners have one name
   for (auto& one : own) {
     const auto there =
         std::ranges::find_if(other, [&](const auto& that) { return (that.singular - one.singular).isZero(0); });
-    if (there != other.end())
-      one.error = std::max(one.error.value_or(0), by.of_largest_stress * by.share * std::abs(one.value - there->value));
+    if (there == other.end()) continue;
+    auto& alike = places.try_emplace(one.place, by.of_largest_stress * by.share).first->second;
+    alike.add(fmt::format("{}", &one - own.data()), one.value, there->value, one.error);
   }
+  for (const auto& [name, differences] : places) differences.set(1);
 }
 
 /// Forces, and moments over the size of the plate, of every support by name.
