@@ -93,6 +93,16 @@ TEST_CASE("errors of results: what is stated near a singular place follows the s
   CHECK(!own.stress_near[2].error);
 }
 
+TEST_CASE("errors of results: corners have the relative error of the worst of them") {
+  auto own = rests(1, 0.2, 10), other = own;
+  own.stress_near = {{"corner", {0, 0}, 0.1, 50}, {"tip 0", {1, 0}, 0.1, 40}, {"corner", {2, 0}, 0.1, 10}};
+  other.stress_near = {{"corner", {0, 0}, 0.1, 50}, {"tip 0", {1, 0}, 0.1, 40}, {"corner", {2, 0}, 0.1, 9}};
+  post::set_errors(own, {other, 0.5}, {2, 0.01});
+  CHECK(own.stress_near[0].error.value() == Approx(5));
+  CHECK(own.stress_near[1].error.value() == 0);
+  CHECK(own.stress_near[2].error.value() == Approx(1));
+}
+
 TEST_CASE("errors of results: a frequency has at least the relative error of the modes below, no mode has none") {
   Summary summary, other;
   summary.frequencies = {{1, 10, 0, 0}, {2, 20, 0, 0}, {3, 30, 0, 0}};
