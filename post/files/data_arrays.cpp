@@ -112,25 +112,25 @@ std::string inflated(std::string_view text) {
 /// Readers take the attribute of components as the sign of a second index: one component has none.
 template <typename Number>
 std::string element(const char* type, std::string_view name, std::size_t components, std::span<const Number> numbers) {
-  return fmt::format(
-      "<DataArray type=\"{}\" Name=\"{}\"{} NumberOfTuples=\"{}\" format=\"binary\">\n{}\n</DataArray>\n", type, name,
-      components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "", numbers.size() / components,
-      compressed(std::as_bytes(numbers)));
+  std::string text = fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\"{} NumberOfTuples=\"{}\" format=\"binary\">\n", type, name,
+      components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "", numbers.size() / components);
+  return text.append(compressed(std::as_bytes(numbers))).append("\n</DataArray>\n");
 }
 
 }  // namespace
 
 std::string base64(std::span<const std::byte> bytes) {
-  std::string text;
-  text.reserve(base64_size(bytes.size()));
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+  std::string text(base64_size(bytes.size()), '=');
+  auto to = text.begin();
+  for (std::size_t i = 0; i < bytes.size(); i += 3, to += 4) {
     const auto byte = [&](std::size_t k) { return i + k < bytes.size() ? std::uint32_t(bytes[i + k]) : 0; };
     const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
     const std::size_t left = bytes.size() - i;
-    text += base64_digits[three >> 18];
-    text += base64_digits[three >> 12 & 63];
-    text += left > 1 ? base64_digits[three >> 6 & 63] : '=';
-    text += left > 2 ? base64_digits[three & 63] : '=';
+    to[0] = base64_digits[three >> 18];
+    to[1] = base64_digits[three >> 12 & 63];
+    if (left > 1) to[2] = base64_digits[three >> 6 & 63];
+    if (left > 2) to[3] = base64_digits[three & 63];
   }
   return text;
 }
@@ -156,9 +156,9 @@ std::vector<std::pair<const char*, std::string>> vtk_attributes() {
 std::string vtk_file(std::string_view type, const std::string& content) {
   std::string attributes;
   for (const auto& [name, value] : vtk_attributes()) attributes += fmt::format(" {}=\"{}\"", name, value);
-  return fmt::format(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"0.1\"{1}>\n<{0}>\n{2}</{0}>\n</VTKFile>\n", type,
-      attributes, content);
+  std::string text =
+      fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"0.1\"{1}>\n<{0}>\n", type, attributes);
+  return text.append(content).append(fmt::format("</{}>\n</VTKFile>\n", type));
 }
 
 template <typename Number>

@@ -120,9 +120,8 @@ std::string principal_data(const Mesh& mesh, const char* name, const Eigen::Matr
   return data_array(name, {values.data(), std::size_t(values.size())}, 3);
 }
 
-std::string fields_of(const Mesh& mesh, const Frame& frame) {
+void add_fields(std::string& text, const Mesh& mesh, const Frame& frame) {
   const auto& resultants = frame.resultants;
-  std::string text;
   const auto add = [&](const char* name, CornerWeight weight, const auto& rows) {
     text += point_data(mesh, name, weight, rows);
   };
@@ -148,7 +147,6 @@ std::string fields_of(const Mesh& mesh, const Frame& frame) {
     add("Nxy", mean, in_plane->force.row(2));
   }
   add("displacement", linear, displacement);
-  return text;
 }
 
 /// The text of fields_NNNN.vtu. Throws std::invalid_argument where the values are not those of the points.
@@ -158,12 +156,13 @@ std::string vtu(const Mesh& mesh, const Frame& frame) {
   positions.reserve(3 * all.size());
   for (const auto& x : all) positions.insert(positions.end(), {x.x(), x.y(), 0});
   const auto cells = cells_of(mesh);
-  return vtk_file("UnstructuredGrid",
-                  fmt::format("<FieldData>\n{}</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
-                              "<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}</Cells>\n</Piece>\n",
-                              data_array("TimeValue", std::array{frame.time}), all.size(), cells.types.size(),
-                              fields_of(mesh, frame), data_array("Points", positions, 3), cells.text(),
-                              data_array("types", cells.types)));
+  std::string text =
+      fmt::format("<FieldData>\n{}</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<PointData>\n",
+                  data_array("TimeValue", std::array{frame.time}), all.size(), cells.types.size());
+  add_fields(text, mesh, frame);
+  text.append("</PointData>\n<Points>\n").append(data_array("Points", positions, 3));
+  text.append("</Points>\n<Cells>\n").append(cells.text()).append(data_array("types", cells.types));
+  return vtk_file("UnstructuredGrid", text.append("</Cells>\n</Piece>\n"));
 }
 
 /// The text of cracks.vtp.
