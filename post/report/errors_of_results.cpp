@@ -188,8 +188,8 @@ void set_errors_of_stress_near(std::vector<StressAtDistance>& own, const std::ve
     const auto there =
         std::ranges::find_if(other, [&](const auto& that) { return (that.singular - one.singular).isZero(0); });
     if (there == other.end()) continue;
-    auto& alike = places.try_emplace(one.place, by.of_largest_stress * by.share).first->second;
-    alike.add(fmt::format("{}", &one - own.data()), one.value, there->value, one.error);
+    auto& group = places.try_emplace(one.place, by.of_largest_stress * by.share).first->second;
+    group.add(fmt::format("{}", &one - own.data()), one.value, there->value, one.error);  // each of its own size
   }
   for (const auto& [name, differences] : places) differences.set(1);
 }
