@@ -294,7 +294,7 @@ Weights horizon_weights(const Problem& problem, const Boundary& boundary, const 
 void warn_of_edges(const Boundary& boundary, double spacing, std::vector<std::string>& warnings) {
   for (const auto& side : boundary.sides) {
     const int axis = side.normal_axis();
-    if (axis < 0 || side.along_lattice() || side.kind == SupportKind::free) continue;
+    if (axis < 0 || side.support || side.along_lattice() || side.kind == SupportKind::free) continue;
     const double cells = side.edge.from[axis];
     warnings.push_back(
         fmt::format("edge '{}' lies {:.3f} spacings from the lattice's origin, not on a cell boundary; set "
@@ -347,13 +347,12 @@ std::unique_ptr<Formulation> discretised_plate(const Problem& problem, const std
   auto cloud = geometry::lattice(problem.outline, d.spacing, part ? std::optional(part->seen) : std::nullopt);
   const auto outline = geometry::to_lattice(problem.outline, cloud.units);
   check_lattice(problem, cloud, outline);
-  Layout layout{
-      problem,
-      {},
-      geometry::tips(paths),
-      boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}, law, beside, paths),
-      {},
-      {}};
+  Layout layout{problem,
+                {},
+                geometry::tips(paths),
+                boundary(std::move(cloud), outline, problem.supports, d, support_motions(problem), {&all}, law, beside),
+                {},
+                {}};
   auto& boundary = layout.boundary;
   warnings = boundary.warnings;
   warn_of_edges(boundary, d.spacing, warnings);

@@ -17,14 +17,19 @@ namespace {
 
 using geometry::Point;
 
+/// True of the kinds that hold w and both rotations, or move them as one body.
+bool clamps(SupportKind kind) {
+  return kind == SupportKind::clamped || kind == SupportKind::hub;
+}
+
 bool has_images(SupportKind kind) {
   using enum SupportKind;
-  return kind == clamped || kind == simply_supported_hard || kind == symmetry;
+  return clamps(kind) || kind == simply_supported_hard || kind == symmetry;
 }
 
 /// +1 or -1 for w, theta_x, theta_y across an edge with the given normal axis.
 std::array<int, unknowns_per_point> parity(SupportKind kind, int normal_axis) {
-  if (kind == SupportKind::clamped) return {-1, -1, -1};
+  if (clamps(kind)) return {-1, -1, -1};
   const int normal_rotation = normal_axis == 0 ? 2 : 1;  // psi_n is -theta_y or theta_x
   std::array<int, unknowns_per_point> signs{1, 1, 1};
   if (kind == SupportKind::symmetry) {
@@ -53,17 +58,24 @@ bool convex_corner(const Side& first, const Side& second) {
   return a.x() * b.y() - a.y() * b.x() > 0;
 }
 
+/// Motions of the bodies that hold parts of a plate, by their holders.
+using Bodies = std::map<std::uint32_t, BodyMotion>;
+
 /// Builds the fictitious points and ties of one plate.
 class Builder {
 public:
-  Builder(Boundary& target, const SupportOffsets& moved, double reach, double spacing)
-      : b_(target), moved_(moved), reach_(reach * (1 + 1e-9)), spacing_(spacing), cells_(target.lattice) {}
+  Builder(Boundary& target, const SupportOffsets& moved, Bodies bodies, double reach, double spacing)
+      : b_(target),
+        moved_(moved),
+        bodies_(std::move(bodies)),
+        reach_(reach * (1 + 1e-9)),
+        spacing_(spacing),
+        cells_(target.lattice) {}
 
   void mirror_images();
   void general_images();
   void outermost_rows();
   void layers();
-  void pins();
 
 private:
   void add(const Point& u, double area, FictitiousPoint what) {
@@ -75,9 +87,16 @@ private:
   std::uint32_t last() const { return static_cast<std::uint32_t>(b_.lattice.size() - 1); }
   /// Constrains a degree of freedom that a side holds: tie() to those that it follows, fix() to none.
   void tie(const Dof& dof, const Side& side, const SupportOffsets::Leaders& leaders) {
-    b_.constraints.tie(dof, leaders, moved_.of(dof, side, leaders));
+    if (const auto body = bodies_.find(holder(b_.holders, side)); side.support && body != bodies_.end())
+      tie_to_body(b_.constraints, dof, beside(body->second, dof, leaders));
+    else
+      b_.constraints.tie(dof, leaders, moved_.of(dof, side, leaders));
   }
   void fix(const Dof& dof, const Side& side) { b_.constraints.fix(dof, moved_.of(dof, side, {})); }
+  BodyValue beside(const BodyMotion& motion, const Dof& dof, const SupportOffsets::Leaders& leaders) const;
+  /// True where a point of the plate is no part of a body.
+  bool alone(std::uint32_t k) const { return b_.body_of(k) < 0; }
+  bool beyond(const Side& side, const Point& v) const;
   void tie_image(std::uint32_t leader, const std::array<double, unknowns_per_point>& factors, const Side& side) {
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {{dof(leader, c), factors[c]}});
   }
@@ -93,9 +112,31 @@ private:
 
   Boundary& b_;
   const SupportOffsets& moved_;
+  Bodies bodies_;
   double reach_, spacing_;
   geometry::CellIndex cells_;
 };
+
+/// Value of a degree of freedom that follows leaders by the difference of each from the motion of a body.
+BodyValue Builder::beside(const BodyMotion& motion, const Dof& dof, const SupportOffsets::Leaders& leaders) const {
+  const auto at = [&](const plate::Dof& one) { return motion(b_.cloud.positions[one.point], one.component); };
+  auto result = at(dof);
+  for (const auto& leader : leaders) {
+    auto of_body = at(leader.dof);
+    for (auto& [dof_of_body, factor] : of_body.leaders)
+      result.leaders.push_back({dof_of_body, -leader.factor * factor});
+    for (auto& [load, value] : of_body.offsets) result.offsets.push_back({load, -leader.factor * value});
+    result.leaders.push_back(leader);
+  }
+  return result;
+}
+
+/// True where the place of a cell lies beyond a side: of an outline outside the plate, of a rim in its part.
+bool Builder::beyond(const Side& side, const Point& v) const {
+  if (side.inside(v) > 0) return false;
+  const auto k = cells_.at(v);
+  return side.support ? k && b_.body[*k] == std::int32_t(*side.support) : !k;
+}
 
 bool Builder::within(const Side& side, const Point& u) const {
   const double d = side.inside(u);
@@ -147,7 +188,7 @@ bool Builder::tie_clamped_between(const Point& u, double depth, const Side& side
       const double share = (1 - std::abs(d.x())) * (1 - std::abs(d.y()));
       if (share < 1e-9) continue;
       const auto k = cells_.at(cell);
-      all = k && side.inside(b_.lattice[*k]) > 0;
+      all = k && alone(*k) && side.inside(b_.lattice[*k]) > 0;
       if (all) lead_clamped(leaders, *k, share, depth + line_further_in, inside - line_further_in, out, spacing_ * d);
     }
     if (!all) continue;
@@ -175,12 +216,12 @@ void Builder::mirror_images() {
     if (!has_points_beyond(side) || !side.along_lattice()) continue;
     const auto signs = parity(side.kind, side.normal_axis());
     for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
-      if (!within(side, b_.lattice[k])) continue;
+      if (!within(side, b_.lattice[k]) || !alone(k)) continue;
       const bool bonded = has_images(side);
       add(side.mirrored(b_.lattice[k]), b_.cloud.areas[k], {{static_cast<int>(s), -1}, false, true, bonded});
       if (!bonded)
         tie_without_bonds(k, side.inside(b_.lattice[k]), side);
-      else if (side.kind == SupportKind::clamped)
+      else if (clamps(side.kind))
         tie_clamped(k, side.inside(b_.lattice[k]), side.inside(b_.lattice[k]), side);
       else
         tie_image(k, {double(signs[0]), double(signs[1]), double(signs[2])}, side);
@@ -221,11 +262,11 @@ void Builder::general_images() {
     std::set<std::pair<long, long>> outside;  // twice their coordinates
     for (std::uint32_t k = 0; k < b_.cloud.plate_points; ++k) {
       const Point& u = b_.lattice[k];
-      if (side.inside(u) > reach_ || (!side.circle && !within(side, u))) continue;
+      if (!alone(k) || side.inside(u) > reach_ || (!side.circle && !within(side, u))) continue;
       for (long y = -window; y <= window; ++y)
         for (long x = -window; x <= window; ++x) {
           const Point v = u + Point(double(x), double(y));
-          if ((v - u).norm() <= reach_ && side.inside(v) <= 0 && !cells_.at(v) && side.meets(u, v))
+          if ((v - u).norm() <= reach_ && beyond(side, v) && side.meets(u, v))
             outside.insert({std::lround(2 * v.x()), std::lround(2 * v.y())});
         }
     }
@@ -237,23 +278,23 @@ void Builder::outside_cell(const Point& u, int s) {
   const Side& side = b_.sides[static_cast<std::size_t>(s)];
   const double depth = std::max(-side.inside(u), 0.0);
   add(u, spacing_ * spacing_, {{s, -1}, false, false, has_images(side)});
-  if (side.kind == SupportKind::clamped && tie_clamped_between(u, depth, side)) return;
+  if (clamps(side.kind) && tie_clamped_between(u, depth, side)) return;
   const Point image = u - 2 * depth * side.outward(u);
   std::optional<std::uint32_t> leader;
   double best = 4;  // cells around the image
   for (int y = -2; y <= 2; ++y)
     for (int x = -2; x <= 2; ++x) {
       const auto k = cells_.at(image + Point(x, y));
-      if (!k || side.inside(b_.lattice[*k]) < std::max(0.25, depth / 2)) continue;
+      if (!k || !alone(*k) || side.inside(b_.lattice[*k]) < std::max(0.25, depth / 2)) continue;
       const double away = (b_.lattice[*k] - image).norm();
       if (away < best) best = away, leader = k;
     }
   if (!leader) {
-    for (std::uint32_t c = 0; c < unknowns_per_point; ++c) fix(dof(last(), c), side);
+    for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, {});
     return;
   }
   if (!has_images(side)) return tie_without_bonds(*leader, depth, side);
-  if (side.kind == SupportKind::clamped) {
+  if (clamps(side.kind)) {
     tie_clamped(*leader, depth + line_further_in, side.inside(b_.lattice[*leader]) - line_further_in, side);
     return;
   }
@@ -329,10 +370,10 @@ void Builder::layers() {
   }
 }
 
-void Builder::pins() {
-  for (std::uint32_t pin = 0; pin < b_.holders.size(); ++pin)
-    if (const auto& at = b_.holders[pin].position; at && b_.cloud.seeded(*at))
-      hold_place(b_, static_cast<std::uint32_t>(geometry::nearest_plate_point(b_.cloud, *at)), *at, pin, moved_);
+void hold_pins(Boundary& b, const SupportOffsets& moved) {
+  for (std::uint32_t pin = 0; pin < b.holders.size(); ++pin)
+    if (const auto& at = b.holders[pin].position; at && b.cloud.seeded(*at))
+      hold_place(b, static_cast<std::uint32_t>(geometry::nearest_plate_point(b.cloud, *at)), *at, pin, moved);
 }
 
 /// Adds one warning for all sides, of many the first three by name.
@@ -341,7 +382,7 @@ void warn_of_general_images(Boundary& boundary) {
   std::string names;
   int sides = 0;
   for (const auto& side : boundary.sides)
-    if (has_images(side) && !side.along_lattice() && ++sides <= most)
+    if (has_images(side) && !side.support && !side.along_lattice() && ++sides <= most)
       names += (names.empty() ? "'" : ", '") + side.name + "'";
   if (sides == 0) return;
   if (sides > most) names += " and " + std::to_string(sides - most) + " more";
@@ -352,13 +393,40 @@ void warn_of_general_images(Boundary& boundary) {
 
 }  // namespace
 
+/// Bodies that hold parts of a plate, whose points are marked, and the rims of their parts among its sides. Those of
+/// `others`, the supports of the same plate in its plane or across it, have rims too.
+Bodies add_bodies(Boundary& b, const std::vector<Support>& supports, const std::vector<Support>& others,
+                  const std::vector<Hub>& hubs, PlateLaw law, const SupportOffsets& moved) {
+  Bodies result;
+  for (std::uint32_t i = 0; i < b.holders.size(); ++i)
+    if (const auto& by = b.holders[i]; is_body(supports[by.support]) && by.kind == SupportKind::clamped)
+      result[i] = [&moved, number = by.support](const Point& at, std::uint32_t component) -> BodyValue {
+        return {{}, moved.inside(number, at, component)};
+      };
+  for (const auto& hub : hubs) result[hub.holder] = motion_of(hub, b, supports, law, moved);
+  if (result.empty() && std::ranges::none_of(others, is_body)) return result;
+  b.body.assign(b.cloud.plate_points, -1);
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const bool here = is_body(supports[i]), there = !others.empty() && is_body(others[i]);
+    if (!here && !there) continue;
+    for (const auto k : points_on(*supports[i].patch, b.cloud)) b.body[k] = std::int32_t(i);
+    for (auto side : sides_of(geometry::to_lattice({{}, {*supports[i].patch}}, b.cloud.units), {})) {
+      side.support = i;
+      if (here) side.kind = supports[i].kind;
+      if (there) side.other = others[i].kind;
+      b.sides.push_back(std::move(side));
+    }
+  }
+  return result;
+}
+
 bool has_images(const Side& side) {
   return has_images(side.kind);
 }
 
 Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const std::vector<Support>& supports,
                   const Discretization& discretization, const std::vector<SupportMotion>& motions, PointMap map,
-                  PlateLaw law, const std::vector<Support>& others, const std::vector<geometry::CrackPath>& paths) {
+                  PlateLaw law, const std::vector<Support>& others) {
   Boundary result;
   result.map = std::move(map);
   for (const auto& x : cloud.positions) result.lattice.push_back(cloud.units.to_lattice(x));
@@ -371,10 +439,12 @@ Boundary boundary(geometry::Cloud cloud, const geometry::Outline& outline, const
   result.holders = holders_of(supports);
   warn_of_general_images(result);
   const SupportOffsets moved(result, motions);
-  Builder builder(result, moved, discretization.horizon_ratio, discretization.spacing);
-  builder.pins();
+  hold_pins(result, moved);
   hold_inside(result, supports, moved);
-  hold_hubs(result, hubs_of(supports, result.cloud, discretization.horizon(), paths), supports, law, moved);
+  const auto hubs = hubs_of(supports, result.cloud);
+  hold_hubs(result, hubs, supports, law, moved);
+  Builder builder(result, moved, add_bodies(result, supports, others, hubs, law, moved), discretization.horizon_ratio,
+                  discretization.spacing);
   builder.outermost_rows();
   builder.mirror_images();
   builder.general_images();

@@ -1,6 +1,7 @@
 #include "plate/bonds/visibility.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "plate/bonds/supports.hpp"
 #include "plate/model/space.hpp"
@@ -24,6 +25,7 @@ std::vector<char> near_openings(const Boundary& boundary, const geometry::Outlin
   std::vector<char> near(boundary.lattice.size(), 0);
   for (std::size_t s = convex ? outer : 0; s < boundary.sides.size(); ++s) {
     const Side& side = boundary.sides[s];
+    if (!side.parts()) continue;
     for (std::size_t k = 0; k < boundary.cloud.plate_points; ++k) {
       const Point& u = boundary.lattice[k];
       const double away = side.circle ? side.inside(u) : geometry::distance({side.edge.from, side.edge.to}, u);
@@ -35,6 +37,7 @@ std::vector<char> near_openings(const Boundary& boundary, const geometry::Outlin
 
 /// True where pq and the side cross, each strictly between the ends of the other.
 bool crosses(const Side& side, const Point& p, const Point& q) {
+  if (!side.parts()) return false;
   if (side.circle) return side.meets(p, q);
   const auto turn = [](const Point& a, const Point& b, const Point& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -88,6 +91,28 @@ bool sees_layer(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
   return true;
 }
 
+/// Numbers of the supports whose bodies have points of this plate, -1 elsewhere [plate points]; empty without bodies.
+std::vector<std::int32_t> bodies_of(const Boundary& boundary) {
+  auto result = boundary.body;
+  for (const auto& side : boundary.sides)
+    if (!side.parts()) std::ranges::replace(result, std::int32_t(*side.support), -1);
+  return result;
+}
+
+/// An outline with the parts that bodies hold as holes.
+geometry::Outline with_rims(geometry::Outline outline, const Boundary& boundary) {
+  std::map<std::size_t, geometry::Polygon> polygons;
+  for (const auto& side : boundary.sides) {
+    if (!side.support || !side.parts()) continue;
+    if (side.circle)
+      outline.holes.emplace_back(geometry::Circle{side.centre, side.radius, side.name});
+    else
+      polygons[*side.support].vertices.push_back(side.edge.from);
+  }
+  for (auto& [support, polygon] : polygons) outline.holes.emplace_back(std::move(polygon));
+  return outline;
+}
+
 }  // namespace
 
 bool Boundary::any_image(std::uint32_t k, std::uint32_t j,
@@ -107,9 +132,14 @@ bool Boundary::any_image(std::uint32_t k, std::uint32_t j,
 
 geometry::Pairwise sees(const Boundary& boundary, const geometry::Outline& outline, double horizon_ratio) {
   auto near = near_openings(boundary, outline, horizon_ratio);
-  return [&boundary, &outline, near = std::move(near)](std::uint32_t k, std::uint32_t j) {
-    if (boundary.is_plate(j))
-      return !(near[k] && near[j]) || !geometry::leaves(outline, boundary.lattice[k], boundary.lattice[j]);
+  auto bodies = bodies_of(boundary);
+  return [&boundary, rims = with_rims(outline, boundary), near = std::move(near), bodies = std::move(bodies)](
+             std::uint32_t k, std::uint32_t j) {
+    if (boundary.is_plate(j)) {
+      if (!bodies.empty() && (bodies[k] >= 0 || bodies[j] >= 0)) return bodies[k] == bodies[j];
+      return !(near[k] && near[j]) || !geometry::leaves(rims, boundary.lattice[k], boundary.lattice[j]);
+    }
+    if (!bodies.empty() && boundary.is_plate(k) && bodies[k] >= 0) return false;
     const auto of = [&](std::uint32_t i) -> const FictitiousPoint& {
       return boundary.fictitious[i - boundary.cloud.plate_points];
     };

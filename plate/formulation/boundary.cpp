@@ -85,4 +85,11 @@ std::uint32_t holder(const std::vector<Holder>& holders, const std::string& name
   return std::uint32_t(found - holders.begin());
 }
 
+std::uint32_t holder(const std::vector<Holder>& holders, const Side& side) {
+  if (!side.support) return holder(holders, side.name);
+  const auto found = std::ranges::find_if(
+      holders, [&](const Holder& h) { return h.place == Holder::Place::inside && h.support == *side.support; });
+  return std::uint32_t(found - holders.begin());
+}
+
 }  // namespace plate

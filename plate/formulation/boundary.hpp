@@ -24,7 +24,10 @@ struct Side {
   SupportKind kind = SupportKind::free;
   /// Kind of the same edge in the plane, or for a plate in its plane across it, where both have the same points.
   SupportKind other = SupportKind::free;
+  std::optional<std::size_t> support = {};  // number of that whose part or disc of the plate this is the rim of
 
+  /// True where the plate ends here: not at the rim of a part that only the plane holds, or only the plate.
+  bool parts() const { return !support || kind != SupportKind::free; }
   double inside(const geometry::Point& u) const;            // distance from the side, positive on the plate's side
   geometry::Point outward(const geometry::Point& u) const;  // unit normal at the side's point next to u
   /// Parallel to the lattice and on a boundary between cells: points mirrored at it are lattice points.
@@ -76,6 +79,9 @@ struct Boundary {
   std::vector<char> active;                 // points that store energy
   std::vector<Holder> holders;
   std::vector<Hold> holds;  // of points of the plate; a fictitious point is held by its sides
+  /// Number of the support whose clamped part or disc has the point, -1 elsewhere [plate points]; empty without them
+  /// and where cells end at rims.
+  std::vector<std::int32_t> body = {};
   std::vector<std::string> warnings;
   ElasticSupports elastic_supports = {};  // of foundations and springs
   PointMap map = {};
@@ -86,6 +92,7 @@ struct Boundary {
     return map.owned.empty() || (cloud.seeded(x) && map.owned[geometry::nearest_plate_point(cloud, x)]);
   }
   bool is_plate(std::uint32_t k) const { return k < cloud.plate_points; }
+  std::int32_t body_of(std::uint32_t k) const { return body.empty() || !is_plate(k) ? -1 : body[k]; }
 
   /// True if `test` is for the straight bond k - j or for one of its mirror images: what lies beyond a mirror
   /// is what lies before it.
@@ -101,6 +108,8 @@ std::vector<Holder> holders_of(const std::vector<Support>& supports);
 
 /// The number of the holder of edges; that of holders where there is none.
 std::uint32_t holder(const std::vector<Holder>& holders, const std::string& name);
+/// Likewise of a side, which may be the rim of a part that is held.
+std::uint32_t holder(const std::vector<Holder>& holders, const Side& side);
 
 /// Points that a rank knows beside its owned points, where more are requested than their forces need.
 struct Surroundings {

@@ -193,7 +193,7 @@ double lowest_wave(const Formulation& plate) {
   const geometry::Point sides = high - low;
   std::array<bool, 2> held{sides.x() >= sides.y(), sides.y() >= sides.x()};
   for (const auto& side : plate.boundary().sides) {
-    if (side.kind == SupportKind::free || side.kind == SupportKind::symmetry) continue;
+    if (side.kind == SupportKind::free || side.kind == SupportKind::symmetry || side.support) continue;
     for (const int axis : {0, 1})
       if (side.circle || side.normal_axis() == axis || side.normal_axis() < 0) held[std::size_t(axis)] = true;
   }

@@ -19,15 +19,6 @@ bool any_hub(const std::vector<Support>& supports) {
   return std::ranges::find(supports, SupportKind::hub, &Support::kind) != supports.end();
 }
 
-std::vector<std::uint32_t> points_within(const Circle& circle, const std::vector<Point>& positions, std::size_t count,
-                                         double spacing) {
-  constexpr double nothing = 1e-6;  // spacings
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t k = 0; k < count; ++k)
-    if ((positions[k] - circle.centre).norm() <= circle.radius + nothing * spacing) result.push_back(k);
-  return result;
-}
-
 /// Points on one line have no turn about it.
 void require_disc(const Hub& hub, const Holder& holder, const std::vector<Point>& positions, double spacing) {
   constexpr double least = 1e-3;  // spacings
@@ -48,9 +39,9 @@ void require_disc(const Hub& hub, const Holder& holder, const std::vector<Point>
                     hub.centre.x(), hub.centre.y(), hub.points.size(), spacing)}});
 }
 
-/// Ties what turns and moves as a rigid body in the plane to u and v of one point and v of another: theta_y = u,
-/// theta_x = -v. Both lie at the radius of gyration, left and right of the centre: their masses then turn as the disc.
-void tie_in_plane(Constraints& constraints, const Hub& hub, const std::vector<Point>& positions) {
+/// Motion in the plane by u and v of one point and v of another: theta_y = u, theta_x = -v. Both lie at the radius of
+/// gyration, left and right of the centre: their masses then turn as the disc.
+BodyMotion motion_in_plane(const Hub& hub, const std::vector<Point>& positions) {
   const auto x = [&](std::uint32_t k) { return positions[k].x(); };
   double square = 0;
   for (const auto k : hub.points) square += (positions[k] - hub.centre).squaredNorm() / double(hub.points.size());
@@ -63,43 +54,31 @@ void tie_in_plane(Constraints& constraints, const Hub& hub, const std::vector<Po
     const auto [first, last] = std::ranges::minmax_element(hub.points, {}, x);
     left = *first, right = *last;
   }
-  const double width = x(right) - x(left);
-  for (const auto k : hub.points) {
-    const Point from = positions[k] - positions[left];
+  return [left, right, origin = positions[left], width = x(right) - x(left)](const Point& at, std::uint32_t component) {
+    const Point from = at - origin;
     const double along = from.x() / width, across = from.y() / width;
-    if (k != left) constraints.tie(dof(k, 2), {{dof(left, 2), 1}, {dof(right, 1), across}, {dof(left, 1), -across}});
-    if (k != left && k != right) constraints.tie(dof(k, 1), {{dof(left, 1), 1 - along}, {dof(right, 1), along}});
-  }
+    using Leaders = SupportOffsets::Leaders;
+    if (component == 0) return BodyValue{};
+    return BodyValue{component == 2 ? Leaders{{dof(left, 2), 1}, {dof(right, 1), across}, {dof(left, 1), -across}}
+                                    : Leaders{{dof(left, 1), 1 - along}, {dof(right, 1), along}},
+                     {}};
+  };
 }
 
-void fix_in_plane(Boundary& boundary, const Hub& hub) {
-  for (const auto k : hub.points) {
-    for (std::uint32_t c = 1; c < unknowns_per_point; ++c) boundary.constraints.fix(dof(k, c));
-    boundary.holds.push_back({k, hub.holder, true});
-  }
-}
-
-/// Ties the points of a hub to the rotations of the first, and to its deflection where the centre is held by a spring.
-void tie_in_bending(Boundary& boundary, const Hub& hub, const Support& support, const SupportOffsets& moved) {
-  const auto& positions = boundary.cloud.positions;
-  const auto number = boundary.holders[hub.holder].support;
-  const auto first = hub.points.front();
-  for (const auto k : hub.points) {
-    for (std::uint32_t c = 1; c < unknowns_per_point; ++c)
-      if (!support.k_phi)
-        boundary.constraints.fix(dof(k, c), moved.inside(number, positions[k], c));
-      else if (k != first)
-        boundary.constraints.tie(dof(k, c), {{dof(first, c), 1}});
-    const Point lever = positions[k] - (support.k_w ? positions[first] : hub.centre);
+/// Motion by the rotations of the first point, and by its deflection where the centre is held by a spring.
+BodyMotion motion_in_bending(const Hub& hub, std::size_t number, const Support& support,
+                             const std::vector<Point>& positions, const SupportOffsets& moved) {
+  return [&moved, number, first = hub.points.front(), centre = hub.centre, turns = support.k_phi.has_value(),
+          sinks = support.k_w.has_value(),
+          origin = positions[hub.points.front()]](const Point& at, std::uint32_t component) -> BodyValue {
+    if (component > 0 && turns) return {{{dof(first, component), 1}}, {}};
+    if (component > 0) return {{}, moved.inside(number, at, component)};
+    const Point lever = at - (sinks ? origin : centre);
     SupportOffsets::Leaders leaders;
-    if (support.k_w) leaders.push_back({dof(first, 0), 1});
-    if (support.k_phi) leaders.push_back({dof(first, 1), lever.y()}), leaders.push_back({dof(first, 2), -lever.x()});
-    if (leaders.empty())
-      boundary.constraints.fix(dof(k, 0), moved.inside(number, positions[k], 0));
-    else if (!support.k_w || k != first)
-      boundary.constraints.tie(dof(k, 0), leaders, moved.inside(number, hub.centre, 0));
-    for (const bool rotations : {false, true}) boundary.holds.push_back({k, hub.holder, rotations});
-  }
+    if (sinks) leaders.push_back({dof(first, 0), 1});
+    if (turns) leaders.push_back({dof(first, 1), lever.y()}), leaders.push_back({dof(first, 2), -lever.x()});
+    return {leaders, moved.inside(number, leaders.empty() ? at : centre, 0)};
+  };
 }
 
 void require_alone(const Boundary& boundary, const Hub& hub) {
@@ -113,9 +92,7 @@ void require_alone(const Boundary& boundary, const Hub& hub) {
 
 }  // namespace
 
-std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon,
-                         const std::vector<geometry::CrackPath>& paths) {
-  constexpr double about_rim = 0.215;  // horizons; measured (tests/verification, "Supports, soil and loads that move")
+std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud) {
   std::vector<Hub> result;
   if (!any_hub(supports)) return result;
   const auto holders = holders_of(supports);
@@ -128,17 +105,8 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::C
           {{Subject::support_edges, holders[i].support,
             "bonds have no points on the rim of a hole, which a hub would move: remove what needs bonds, or give "
             "on = { circle = [x, y, radius] } without the hole"}});
-    const double spacing = cloud.units.spacing;
-    const Circle held{circle->centre, circle->radius + about_rim * horizon, circle->name};
-    auto points = points_within(held, cloud.positions, cloud.plate_points, spacing);
-    std::erase_if(points, [&](std::uint32_t k) {
-      const Point arm = cloud.positions[k] - circle->centre;
-      const Point rim = circle->centre + arm * std::min(1.0, circle->radius / arm.norm());
-      return std::ranges::any_of(paths,
-                                 [&](const auto& path) { return geometry::separates(path, rim, cloud.positions[k]); });
-    });
-    result.push_back({i, circle->centre, std::move(points)});
-    require_disc(result.back(), holders[i], cloud.positions, spacing);
+    result.push_back({i, circle->centre, points_on(*circle, cloud)});
+    require_disc(result.back(), holders[i], cloud.positions, cloud.units.spacing);
   }
   return result;
 }
@@ -158,7 +126,7 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::O
     if (holders[i].kind != SupportKind::hub) continue;
     if (const auto& patch = supports[holders[i].support].patch) {
       const auto& circle = std::get<Circle>(*patch);
-      add(i, circle.centre, points_within(circle, positions, positions.size(), spacing));
+      add(i, circle.centre, points_on(circle, {cells.units, positions, {}, positions.size(), {}}));
       continue;
     }
     for (const auto& hole : outline.holes) {
@@ -182,17 +150,37 @@ bool hubs_move(const std::vector<Support>& supports, PlateLaw law) {
   });
 }
 
+BodyMotion motion_of(const Hub& hub, const Boundary& boundary, const std::vector<Support>& supports, PlateLaw law,
+                     const SupportOffsets& moved) {
+  const auto number = boundary.holders[hub.holder].support;
+  const auto& support = supports[number];
+  const auto& positions = boundary.cloud.positions;
+  if (law != PlateLaw::membrane) return motion_in_bending(hub, number, support, positions, moved);
+  if (support.held_in_plane() != InPlane::fixed) return motion_in_plane(hub, positions);
+  return [](const Point&, std::uint32_t) { return BodyValue{}; };
+}
+
+void tie_to_body(Constraints& constraints, const Dof& dof, BodyValue value) {
+  auto& [leaders, offsets] = value;
+  if (leaders.empty())
+    constraints.fix(dof, std::move(offsets));
+  else if (std::ranges::find(leaders, dof, &Constraints::Leader::dof) == leaders.end())
+    constraints.tie(dof, std::move(leaders), std::move(offsets));
+}
+
 void hold_hubs(Boundary& boundary, const std::vector<Hub>& hubs, const std::vector<Support>& supports, PlateLaw law,
                const SupportOffsets& moved) {
   for (const auto& hub : hubs) {
     boundary.holders[hub.holder].position = hub.centre;
-    const auto& support = supports[boundary.holders[hub.holder].support];
-    if (law == PlateLaw::membrane && support.held_in_plane() == InPlane::fixed)
-      fix_in_plane(boundary, hub);
-    else if (law == PlateLaw::membrane)
-      tie_in_plane(boundary.constraints, hub, boundary.cloud.positions);
-    else
-      tie_in_bending(boundary, hub, support, moved);
+    const bool bends = law != PlateLaw::membrane;
+    const bool fixed = bends || supports[boundary.holders[hub.holder].support].held_in_plane() == InPlane::fixed;
+    const auto motion = motion_of(hub, boundary, supports, law, moved);
+    for (const auto k : hub.points) {
+      for (std::uint32_t c = bends ? 0 : 1; c < unknowns_per_point; ++c)
+        tie_to_body(boundary.constraints, dof(k, c), motion(boundary.cloud.positions[k], c));
+      if (bends) boundary.holds.push_back({k, hub.holder, false});
+      if (fixed) boundary.holds.push_back({k, hub.holder, true});
+    }
   }
   for (const auto& hub : hubs) require_alone(boundary, hub);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "geometry/shape/crack_path.hpp"
@@ -19,12 +20,9 @@ struct Hub {
   std::vector<std::uint32_t> points;  // that move with it, ascending
 };
 
-/// Finds the hubs on points in the middles of cells: each has the points within its circle, and those closer to it than
-/// 0.215 of the `horizon` [length] that no crack parts from it: bonds that cross the rim bend over a part of their
-/// length (theory.md, "Hubs").
+/// Finds the hubs on points in the middles of cells: each has the points within its circle.
 /// @throws Refused  where its points lie on one line, or it fills a hole
-std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud, double horizon,
-                         const std::vector<geometry::CrackPath>& paths);
+std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::Cloud& cloud);
 
 /// Finds the hubs on points that are corners of cells: each has the points on the rim of its hole, or those within its
 /// circle. `outline`: in lattice units.
@@ -35,8 +33,22 @@ std::vector<Hub> hubs_of(const std::vector<Support>& supports, const geometry::O
 /// True where a hub moves or turns, in a plate that bends or in its plane: its points then follow one of them.
 bool hubs_move(const std::vector<Support>& supports, PlateLaw law);
 
-/// Ties the points of hubs to the first of each: in a plate that bends rotations alike and w by the lever, in the plane
-/// a motion and a turn. Before Constraints::resolve().
+/// Value of a degree of freedom that moves with a body: its leaders and the motions of its support.
+struct BodyValue {
+  SupportOffsets::Leaders leaders;
+  SupportOffsets::Offsets offsets;
+};
+/// Function of a place [length] and a component.
+using BodyMotion = std::function<BodyValue(const geometry::Point&, std::uint32_t)>;
+
+/// Motion of a hub: in a plate that bends rotations alike and w by the lever, in the plane a motion and a turn. `moved`
+/// must outlive the function.
+BodyMotion motion_of(const Hub& hub, const Boundary& boundary, const std::vector<Support>& supports, PlateLaw law,
+                     const SupportOffsets& moved);
+/// Ties a degree of freedom to a body; does nothing where the body follows it.
+void tie_to_body(Constraints& constraints, const Dof& dof, BodyValue value);
+
+/// Ties the points of hubs by motion_of(). Before Constraints::resolve().
 /// @throws Refused  where another support holds one of the points
 void hold_hubs(Boundary& boundary, const std::vector<Hub>& hubs, const std::vector<Support>& supports, PlateLaw law,
                const SupportOffsets& moved);

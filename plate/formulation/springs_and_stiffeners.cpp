@@ -361,8 +361,7 @@ ElasticSupports all(const Problem& problem, const std::vector<Point>& positions,
 ElasticSupports elastic_supports_of(const Problem& problem, const geometry::Cloud& cloud,
                                     const std::vector<FacePair>& faces) {
   const bool bends = problem.section.law == PlateLaw::bending;
-  const auto hubs = bends ? hubs_of(problem.supports, cloud, problem.discretization.horizon(), crack_paths(problem))
-                          : std::vector<Hub>();
+  const auto hubs = bends ? hubs_of(problem.supports, cloud) : std::vector<Hub>();
   return all(
       problem, cloud.positions, hubs, faces,
       [&](const Foundation& one, ElasticSupportSum& sum) { add_foundation(one, cloud, sum); },

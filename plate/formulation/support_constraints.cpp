@@ -83,10 +83,10 @@ void hold_line(Boundary& boundary, const geometry::Polyline& along, std::uint32_
     hold_place(boundary, std::uint32_t(point), foot.first / foot.second, holder, moved);
 }
 
-/// Points that lie on the boundary of a part belong to it.
-void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t holder, const SupportOffsets& moved) {
+}  // namespace
+
+std::vector<std::uint32_t> points_on(const geometry::Hole& shape, const geometry::Cloud& cloud) {
   constexpr double nothing = 1e-6;  // spacings
-  const auto& cloud = boundary.cloud;
   const auto* circle = std::get_if<geometry::Circle>(&shape);
   const auto ring = geometry::Patch(shape).ring();
   geometry::Polyline around = ring;
@@ -97,10 +97,19 @@ void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t ho
     if (circle) return (x - circle->centre).norm() <= circle->radius + rim;
     return geometry::contains(part, x) || geometry::distance(around, x) <= rim;
   };
-  std::size_t count = 0;
+  std::vector<std::uint32_t> result;
   for (std::uint32_t k = 0; k < cloud.plate_points; ++k)
-    if (holds(cloud.positions[k])) hold_point(boundary, k, holder, moved), ++count;
-  const bool any = cloud.part ? largest_of(boundary.map, count > 0) > 0 : count > 0;
+    if (holds(cloud.positions[k])) result.push_back(k);
+  return result;
+}
+
+namespace {
+
+void hold_part(Boundary& boundary, const geometry::Hole& shape, std::uint32_t holder, const SupportOffsets& moved) {
+  const auto& cloud = boundary.cloud;
+  const auto points = points_on(shape, cloud);
+  for (const auto k : points) hold_point(boundary, k, holder, moved);
+  const bool any = cloud.part ? largest_of(boundary.map, !points.empty()) > 0 : !points.empty();
   if (!any)
     throw Refused({{Subject::support_patch, boundary.holders[holder].support,
                     fmt::format("no point of the plate lies on it at spacing {:g}: refine, or give points",
@@ -216,50 +225,165 @@ std::vector<Point> places_of_points(const Problem& c) {
 
 }  // namespace
 
-std::vector<geometry::Circle> parting_discs(const Problem& c, const std::vector<geometry::CrackPath>& paths,
-                                            double spacing) {
-  std::vector<geometry::Circle> discs;
-  std::vector<Support> others;
-  for (const auto& support : c.supports) {
-    if (support.kind != SupportKind::hub || !support.patch) {
-      others.push_back(support);
-      continue;
-    }
-    const auto& [centre, radius, name] = std::get<geometry::Circle>(*support.patch);
-    discs.push_back({centre, radius, "hub" + std::to_string(discs.size())});
+bool is_body(const Support& support) {
+  return support.patch && (support.kind == SupportKind::clamped || support.kind == SupportKind::hub);
+}
+
+namespace {
+
+/// Boundary of a body, and places on it at most half of `spacing` apart.
+struct Rim {
+  geometry::Polyline ring;
+  std::vector<Point> places = {};
+
+  Rim(const geometry::Hole& shape, double spacing) : ring(around(shape, spacing)) {
+    add_places(ring, spacing / 2, places);
   }
-  auto places = places_of_points(c);
-  for (const auto& x : places_inside(others, c.outline, paths, spacing)) places.push_back(x);
-  std::vector<geometry::Circle> result;
-  for (const auto& disc : discs) {
-    const double clear = disc.radius + spacing / 2;
-    const bool other = std::ranges::any_of(discs, [&](const auto& next) {
-      return next.name != disc.name && (next.centre - disc.centre).norm() < clear + next.radius;
-    });
-    const bool crack = std::ranges::any_of(
-        paths, [&](const auto& path) { return geometry::distance(path.vertices, disc.centre) < clear; });
-    const bool place = std::ranges::any_of(
-        places, [&](const Point& x) { return std::abs((x - disc.centre).norm() - disc.radius) < spacing / 2; });
-    const bool inside = geometry::distance_to_boundary(c.outline, disc.centre) >= clear;
-    if (inside && disc.radius >= spacing && !other && !crack && !place) result.push_back(disc);
+  bool contains(const Point& x) const {
+    const geometry::Polyline open(ring.begin(), ring.end() - 1);
+    return geometry::contains({{open, std::vector<std::string>(open.size())}, {}}, x);
+  }
+  /// Distance of a polyline or a ring from this one; 0 where it has a place within.
+  double distance(const geometry::Polyline& other) const {
+    double result = std::ranges::any_of(other, [&](const Point& x) { return contains(x); }) ? 0 : INFINITY;
+    for (const auto& x : places) result = std::min(result, geometry::distance(other, x));
+    for (const auto& x : other) result = std::min(result, geometry::distance(ring, x));
+    return result;
+  }
+};
+
+/// Shares 0 to 1 of a segment at which it meets the boundary of a plate, with both ends, ascending.
+std::vector<double> cuts(const geometry::Outline& outline, const Point& from, const Point& to) {
+  std::vector<double> result{0, 1};
+  const auto add = [&](double share) {
+    if (share > 0 && share < 1) result.push_back(share);
+  };
+  const auto cross = [](const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); };
+  const Point way = to - from;
+  for (const auto& edge : geometry::straight_edges(outline)) {
+    const Point along = edge.to - edge.from, apart = edge.from - from;
+    const double turn = cross(way, along);
+    if (turn == 0) continue;
+    if (const double share = cross(apart, way) / turn; share >= 0 && share <= 1) add(cross(apart, along) / turn);
+  }
+  for (const auto& circle : geometry::circles(outline)) {
+    const Point apart = from - circle.centre;
+    const double a = way.squaredNorm(), b = apart.dot(way), c = apart.squaredNorm() - circle.radius * circle.radius;
+    if (const double root = b * b - a * c; root > 0)
+      for (const double sign : {-1, 1}) add((-b + sign * std::sqrt(root)) / a);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+/// The parts of a closed ring that lie within a plate: the ring itself, or pieces from mouth to mouth.
+std::vector<geometry::CrackPath> pieces_inside(const geometry::Polyline& ring, const geometry::Outline& outline,
+                                               double nothing) {
+  using enum geometry::End;
+  std::vector<geometry::CrackPath> result;
+  bool open = false, whole = true;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+    const auto shares = cuts(outline, ring[i], ring[i + 1]);
+    const auto at = [&](double share) -> Point { return ring[i] + share * (ring[i + 1] - ring[i]); };
+    for (std::size_t n = 0; n + 1 < shares.size(); ++n) {
+      const Point from = at(shares[n]), to = at(shares[n + 1]), middle = (from + to) / 2;
+      if ((to - from).norm() < nothing) continue;
+      const bool inside =
+          geometry::contains(outline, middle) && geometry::distance_to_boundary(outline, middle) > nothing;
+      if (inside && open && geometry::distance_to_boundary(outline, from) <= nothing) open = whole = false;
+      if (inside && !open) result.push_back({{from}, mouth, mouth});
+      if (inside) result.back().vertices.push_back(to);
+      open = inside, whole = whole && inside;
+    }
+  }
+  if (whole && result.size() == 1) return {{ring, junction, junction}};
+  const auto ends_inside = [&](const Point& x) { return geometry::distance_to_boundary(outline, x) > nothing; };
+  if (result.size() > 1 && ends_inside(result.front().vertices.front())) {  // the first goes on from the last
+    auto& last = result.back().vertices;
+    last.insert(last.end(), result.front().vertices.begin() + 1, result.front().vertices.end());
+    result.erase(result.begin());
   }
   return result;
 }
 
-geometry::CrackPath rim_path(const geometry::Circle& circle, double spacing) {
-  return {around(circle, spacing), geometry::End::junction, geometry::End::junction};
+/// True where a path keeps half of `spacing` from the boundary, but for its mouths, which it leaves at 30 degrees or
+/// more.
+bool clear_of_boundary(const geometry::CrackPath& path, const geometry::Outline& outline, double spacing) {
+  std::vector<Point> places;
+  add_places(path.vertices, spacing / 2, places);
+  return std::ranges::all_of(places, [&](const Point& x) {
+    const double away = std::min((x - path.vertices.front()).norm(), (x - path.vertices.back()).norm());
+    const double wanted = path.front == geometry::End::mouth ? std::min(spacing, away) / 2 : spacing / 2;
+    return geometry::distance_to_boundary(outline, x) >= (1 - 1e-9) * wanted;
+  });
+}
+
+/// True where a body is as wide as two points and has no edge shorter than half of `spacing`.
+bool resolved(const geometry::Hole& shape, double spacing) {
+  if (const auto* circle = std::get_if<geometry::Circle>(&shape)) return circle->radius >= spacing;
+  const auto ring = around(shape, spacing);
+  double round = 0, shortest = INFINITY;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+    const double length = (ring[i + 1] - ring[i]).norm();
+    round += length, shortest = std::min(shortest, length);
+  }
+  const double area = std::abs(geometry::moments(geometry::Patch(shape).ring(), ring.front()).area);
+  return 2 * area >= spacing * round && shortest >= spacing / 2;
+}
+
+}  // namespace
+
+std::vector<PartedBody> parted_bodies(const Problem& c, const std::vector<geometry::CrackPath>& paths, double spacing) {
+  std::vector<std::size_t> bodies;
+  std::vector<Rim> rims;
+  std::vector<Support> others;
+  for (std::size_t i = 0; i < c.supports.size(); ++i)
+    if (const auto& support = c.supports[i]; is_body(support))
+      bodies.push_back(i), rims.emplace_back(*support.patch, spacing);
+    else
+      others.push_back(support);
+  auto places = places_of_points(c);
+  for (const auto& x : places_inside(others, c.outline, paths, spacing)) places.push_back(x);
+  const double clear = spacing / 2;
+  std::vector<PartedBody> result;
+  for (std::size_t n = 0; n < bodies.size(); ++n) {
+    const auto& rim = rims[n];
+    const auto& shape = *c.supports[bodies[n]].patch;
+    const PartedBody body{.support = bodies[n], .shape = shape};
+    const auto inside = body.rims(c.outline, spacing);
+    const bool open = !inside.empty() && std::ranges::all_of(inside, [&](const auto& path) {
+      return clear_of_boundary(path, c.outline, spacing);
+    });
+    const bool other = std::ranges::any_of(rims, [&](const Rim& next) {
+      return &next != &rim && (rim.distance(next.ring) < clear || next.distance(rim.ring) < clear);
+    });
+    const bool crack =
+        std::ranges::any_of(paths, [&](const auto& path) { return rim.distance(path.vertices) < clear; });
+    const bool place =
+        std::ranges::any_of(places, [&](const Point& x) { return geometry::distance(rim.ring, x) < clear; });
+    if (open && resolved(shape, spacing) && !other && !crack && !place) result.push_back(body);
+  }
+  return result;
+}
+
+std::string PartedBody::name() const {
+  return fmt::format("rim of support {}", support);
+}
+
+std::vector<geometry::CrackPath> PartedBody::rims(const geometry::Outline& outline, double spacing) const {
+  return pieces_inside(around(shape, spacing), outline, 1e-6 * spacing);
+}
+
+bool PartedBody::on_rim(const Point& x, double spacing, double beside) const {
+  return geometry::distance(around(shape, spacing), x) < beside;
 }
 
 std::vector<Point> own_places(const Problem& c, const std::vector<geometry::CrackPath>& paths, double spacing) {
   auto points = places_of_points(c);
-  const auto parting = parting_discs(c, paths, spacing);
-  auto supports = c.supports;
-  std::erase_if(supports, [&](const Support& support) {
-    const auto* disc = support.patch ? std::get_if<geometry::Circle>(&*support.patch) : nullptr;
-    return disc && support.kind == SupportKind::hub && std::ranges::any_of(parting, [&](const auto& other) {
-             return other.centre == disc->centre && other.radius == disc->radius;
-           });
-  });
+  std::vector<Support> supports;
+  const auto parted = parted_bodies(c, paths, spacing);
+  for (std::size_t i = 0; i < c.supports.size(); ++i)
+    if (std::ranges::find(parted, i, &PartedBody::support) == parted.end()) supports.push_back(c.supports[i]);
   for (const auto& x : places_inside(supports, c.outline, paths, spacing)) points.push_back(x);
   return points;
 }

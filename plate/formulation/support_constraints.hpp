@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "geometry/shape/crack_path.hpp"
@@ -46,6 +47,9 @@ private:
   std::vector<SupportMotion> motions_;
 };
 
+/// Points of the plate that lie on a part of it, those on its boundary included, ascending.
+std::vector<std::uint32_t> points_on(const geometry::Hole& part, const geometry::Cloud& cloud);
+
 /// Adds what supports along lines and on parts of the plate hold. Of a part: the points in it. Along a line: at every
 /// point next to it the value at the piece of the line that is next to the point, w + (x - x_k) . psi.
 void hold_inside(Boundary& boundary, const std::vector<Support>& supports, const SupportOffsets& moved);
@@ -66,15 +70,28 @@ void hold_place(Boundary& boundary, std::uint32_t point, const geometry::Point& 
 std::vector<geometry::Point> places_inside(const std::vector<Support>& supports, const geometry::Outline& outline,
                                            const std::vector<geometry::CrackPath>& cracks, double spacing);
 
-/// Discs of hubs on the plate along whose rims its cells are parted [length]: the rim then has points of the plate
-/// about it, and points of the disc. None reaches an edge, a crack or another place that gets a point by less than half
-/// a spacing; their names are those of their reactions.
-std::vector<geometry::Circle> parting_discs(const Problem& problem, const std::vector<geometry::CrackPath>& paths,
-                                            double spacing);
-/// Closed polygon of places on a circle, at most `spacing` apart [length], as a path that parts cells.
-geometry::CrackPath rim_path(const geometry::Circle& circle, double spacing);
+/// True of supports that hold a part of the plate as a rigid body: clamped parts and discs of hubs.
+bool is_body(const Support& support);
 
-/// The places where loads and supports act, which get a point of their own, but for the rims of parting_discs().
+/// Rigid body along whose rim the cells of a plate are parted: the rim then has points of the plate about it, and
+/// points of the body.
+struct PartedBody {
+  std::size_t support;   // its number
+  geometry::Hole shape;  // [length]
+
+  std::string name() const;  // of the rim among the names of cells
+  /// The rim within the plate, of a circle by chords of `spacing` [length]: closed, or from edge to edge.
+  std::vector<geometry::CrackPath> rims(const geometry::Outline& outline, double spacing) const;
+  /// True where a place is closer to the rim than `beside` [length].
+  bool on_rim(const geometry::Point& x, double spacing, double beside) const;
+};
+
+/// Bodies whose rims part cells. No rim comes closer than half a spacing to an edge that it does not cross, a crack or
+/// another place that gets a point, and each body has room for two points across.
+std::vector<PartedBody> parted_bodies(const Problem& problem, const std::vector<geometry::CrackPath>& paths,
+                                      double spacing);
+
+/// The places where loads and supports act, which get a point of their own, but for the rims of parted_bodies().
 /// `spacing`: between those on lines.
 std::vector<geometry::Point> own_places(const Problem& problem, const std::vector<geometry::CrackPath>& paths,
                                         double spacing);

@@ -82,17 +82,15 @@ geometry::Grading grading_of(const Problem& c, double factor) {
 
 namespace {
 
-/// Gives the borders on the rims of discs their names: they are no faces of cracks.
-void name_rims(Tessellation& cells, const std::vector<geometry::Circle>& discs) {
+/// Gives the borders on the rims of bodies their names: they are no faces of cracks.
+void name_rims(Tessellation& cells, const std::vector<PartedBody>& bodies) {
   const double beside = 0.25 * cells.units.spacing;  // cracks are farther from rims
-  for (const auto& disc : discs) {
-    const auto on_rim = [&](std::uint32_t k) {
-      return std::abs((cells.positions[k] - disc.centre).norm() - disc.radius) < beside;
-    };
+  for (const auto& body : bodies) {
+    const auto on_rim = [&](std::uint32_t k) { return body.on_rim(cells.positions[k], cells.units.spacing, beside); };
     for (auto& border : cells.borders)
       if (border.edge == geometry::Curves::crack && on_rim(border.from) && on_rim(border.to))
         border.edge = std::int32_t(cells.names.size());
-    cells.names.push_back(disc.name);
+    cells.names.push_back(body.name());
   }
 }
 
@@ -101,12 +99,13 @@ void name_rims(Tessellation& cells, const std::vector<geometry::Circle>& discs) 
 Tessellation cells_of(const Problem& c, const std::vector<geometry::CrackPath>& paths, double factor) {
   const double spacing = factor * c.discretization.spacing;
   const auto grading = grading_of(c, factor);
-  const auto discs = parting_discs(c, paths, spacing);
+  const auto bodies = parted_bodies(c, paths, spacing);
   auto parting = paths;
-  for (const auto& disc : discs)
-    parting.push_back(rim_path(disc, std::min(spacing, grading.at_holes.value_or(spacing))));
+  for (const auto& body : bodies)
+    for (auto& path : body.rims(c.outline, std::min(spacing, grading.at_holes.value_or(spacing))))
+      parting.push_back(std::move(path));
   auto result = geometry::tessellation(c.outline, parting, spacing, own_places(c, paths, spacing), grading);
-  name_rims(result, discs);
+  name_rims(result, bodies);
   return result;
 }
 
@@ -115,7 +114,8 @@ std::variant<GlobalCells, Refusal> possible_cells(const Problem& c, const std::v
   const auto& d = c.discretization;
   const double spacing = factor * d.spacing;
   try {  // constructors of geometry throw where cells are impossible
-    if (!distributed || d.tip_spacing || d.hole_spacing) return GlobalCells(cells_of(c, paths, factor));
+    if (!distributed || d.tip_spacing || d.hole_spacing || !parted_bodies(c, paths, spacing).empty())
+      return GlobalCells(cells_of(c, paths, factor));
     return GlobalCells(geometry::GlobalLattice(c.outline, paths, spacing, own_places(c, paths, spacing)));
   } catch (const std::invalid_argument& error) {
     return Refusal{Subject::geometry, 0, error.what()};

@@ -128,6 +128,24 @@ void hold_places(Boundary& boundary, const SupportOffsets& moved) {
   }
 }
 
+/// Ties the points at each place of the rims of bodies that nothing holds as bodies here, as in the plane of a part
+/// that is clamped across it alone: the plate goes on there.
+void join_rims(Boundary& boundary, const geometry::Tessellation& cells, const std::vector<Support>& supports) {
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    if (!supports[i].patch || is_body(supports[i])) continue;
+    const auto name = std::ranges::find(cells.names, PartedBody{i, *supports[i].patch}.name());
+    std::map<std::pair<double, double>, std::uint32_t> first;
+    for (const auto& border : cells.borders)
+      if (border.edge != geometry::Curves::crack && border.edge == name - cells.names.begin())
+        for (const auto k : {border.from, border.to}) {
+          const auto& x = cells.positions[k];
+          const auto leader = first.try_emplace({x.x(), x.y()}, k).first->second;
+          for (std::uint32_t c = 0; leader != k && c < unknowns_per_point; ++c)
+            boundary.constraints.tie(dof(k, c), {{dof(leader, c), 1}});
+        }
+  }
+}
+
 }  // namespace
 
 Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vector<double>& areas,
@@ -170,6 +188,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
   hold_places(result, moved);
   hold_inside(result, supports, moved);
   hold_hubs(result, hubs_of(supports, outline, cells), supports, law, moved);
+  join_rims(result, cells, supports);
   for (std::uint32_t k = 0; law == PlateLaw::membrane && k < cells.positions.size(); ++k)
     result.constraints.fix(dof(k, 0));
   result.constraints.resolve();

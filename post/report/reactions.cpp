@@ -85,7 +85,7 @@ std::map<plate::Dof, std::vector<std::uint32_t>> holders_by_dof(const plate::Bou
   for (std::size_t i = 0; i < boundary.fictitious.size(); ++i)
     for (const int s : sides_that_hold(boundary, boundary.fictitious[i])) {
       const auto& side = boundary.sides[std::size_t(s)];
-      const auto by = plate::holder(boundary.holders, side.name);
+      const auto by = plate::holder(boundary.holders, side);
       if (by == boundary.holders.size()) continue;  // beyond an edge that is held in the plane alone, or across it
       for (const auto dof : plate::dofs_of(std::uint32_t(boundary.cloud.plate_points + i)))
         add(dof, by, bears(side, dof));

@@ -51,6 +51,29 @@ TEST_CASE("a line holds what lies on it of every linear field, a part all of its
   }
 }
 
+TEST_CASE("a clamped part along an edge is a clamped edge") {
+  for (const auto* kind : formulations()) {
+    auto c = vp::free_plate(geometry::rectangle(0.2, 0, 1, 1), 0.1);
+    c.discretization.formulation = kind;
+    c.supports = {vp::held(SupportKind::clamped, {"left"})};
+    c.loads = {Load{Pressure{.gradient = {1, 0.5}}}};
+    const auto edge = vp::assembled(c);
+    const double expected = vp::solved(*edge).state.cwiseAbs().maxCoeff();
+    c.outline = geometry::rectangle(0, 0, 1, 1);
+    for (const double beyond : {0.0, 0.3}) {  // the part ends on the edge, or beyond it
+      c.supports = {
+          {SupportKind::clamped,
+           {},
+           {},
+           {},
+           geometry::Polygon{{{-beyond, -beyond}, {0.2, -beyond}, {0.2, 1 + beyond}, {-beyond, 1 + beyond}}, {}}}};
+      const auto part = vp::assembled(c);
+      CAPTURE(kind->name, beyond);
+      CHECK(vp::solved(*part).state.cwiseAbs().maxCoeff() == Approx(expected).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("a part between the points of bonds is refused") {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
   c.supports = {{SupportKind::clamped, {}, {}, {}, geometry::Circle{{0.5, 0.5}, 0.03, ""}}};
