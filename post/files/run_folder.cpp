@@ -59,7 +59,7 @@ bool is_result(const std::string& name) {
   static const std::regex names(
       R"((case\.resolved\.toml|summary\.json|state\.h5(\.\d+)?|fields\.pvd|fields_\d{4,}(_\d+)?\.vtu|fields_\d{4,}\.pvtu|cracks(_\d{4,})?\.vtp|cracks\.pvd|)"
       R"(curves\.svg|report\.html|checkpoint(\.before|\.end|\.\d\.\d+)?|)"
-      R"((history|probes|lines|crack_springs|load_steps|contact|buckling|reactions|frequencies|srif|envelope|impact|response|growth|tips|cracks)\.csv)(\.partial)?)");
+      R"((history|probes|lines|crack_springs|load_steps|contact|buckling|reactions|edge_reactions|corner_forces|frequencies|srif|envelope|impact|response|growth|tips|cracks)\.csv)(\.partial)?)");
   return std::regex_match(name, names);
 }
 

@@ -164,6 +164,8 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
   json["residual"] = reactions.balance.residual;
   if (rows) json["largest_residual"] = reactions.largest_residual;
   if (reactions.truncation) json["truncation"] = *reactions.truncation;
+  for (const auto& [corner, x, force] : reactions.corners)
+    json["corner_forces"].push_back({{"corner", corner}, {"x", x.x()}, {"y", x.y()}, {"force", force}});
   return json;
 }
 

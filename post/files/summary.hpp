@@ -39,6 +39,13 @@ struct Balance {
   Wrench sum() const;  // of the supports
 };
 
+/// Concentrated force on the plate at a corner, where Kirchhoff's theory has one.
+struct CornerForce {
+  std::string corner;  // names of the edges that meet there
+  geometry::Point position{0, 0};
+  double force = 0;  // along w
+};
+
 /// Reactions of edges and pins on the plate, and their balance with the loads.
 struct ReactionSummary {
   struct Support {
@@ -59,6 +66,7 @@ struct ReactionSummary {
   std::vector<Wrench> errors = {};  // estimated, of every support, as it is written; empty: not known
   /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
   std::optional<double> truncation = {};
+  std::vector<CornerForce> corners = {};  // of the last row, where reactions along edges are wanted
 };
 
 /// A part of the program that a scene uses, and what it costs.

@@ -131,6 +131,11 @@ std::size_t Table::column(const std::string& name) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+void append(Table& table, const Table& other) {
+  if (table.columns.empty()) table.columns = other.columns;
+  table.rows.insert(table.rows.end(), other.rows.begin(), other.rows.end());
+}
+
 std::string csv_text(const Table& table) {
   std::string text;
   const auto add_line = [&text](const auto& cells, const auto& to_text) {

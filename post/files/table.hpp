@@ -30,6 +30,9 @@ struct Table {
   std::size_t column(const std::string& name) const;
 };
 
+/// Adds the rows of a table with the same columns; an empty table takes the columns too.
+void append(Table& table, const Table& other);
+
 /// Returns the table as comma-separated text. Throws std::invalid_argument where a row does not fit the columns.
 std::string csv_text(const Table& table);
 

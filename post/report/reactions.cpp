@@ -17,6 +17,7 @@
 #include "plate/model/space.hpp"
 #include "plate/solve/motion/dynamics.hpp"
 #include "plate/solve/prescribed_displacements.hpp"
+#include "post/files/recorder.hpp"
 #include "post/report/response.hpp"
 
 namespace post {
@@ -158,11 +159,17 @@ Applied Supports::applied(const plate::Forces& forces) const {
   return result;
 }
 
+Eigen::VectorXd Supports::reaction(const Eigen::VectorXd& internal, const Applied& loads,
+                                   const Applied* inertia) const {
+  Eigen::VectorXd result = -internal - loads.held;
+  if (inertia) result += inertia->held;
+  return result;
+}
+
 Balance Supports::balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia,
                           const plate::State& state) const {
   Balance result{std::vector<Wrench>(boundary_->holders.size()), loads.sum, {}, 0};
-  Eigen::VectorXd reaction = -internal - loads.held;
-  if (inertia) reaction += inertia->held;
+  const Eigen::VectorXd reaction = this->reaction(internal, loads, inertia);
   const auto& held = boundary_->constraints.held();
   for (std::uint32_t h = 0; h < result.supports.size(); ++h) {
     const auto of_holder = std::ranges::equal_range(shares_, h, {}, &Share::holder);
@@ -277,12 +284,11 @@ ReactionRows::ReactionRows(const plate::Formulation& plate, double rotary, bool 
 void ReactionRows::add(const plate::Instant& now, const plate::Operator& forces) {
   if (supports_.empty()) return;
   if (!now.acceleration) {
-    const Supports supports(plate_->boundary());
-    auto loads = supports.applied(plate::acting_load(*plate_));
-    if (now.stretched) loads.add(1, supports.applied(*now.stretched));  // apart: they may cancel
-    const plate::State& state = now.what_strains();
-    balances_.emplace_back(now.time, supports.balance(on_held(*plate_, forces, state), loads, nullptr, state));
-    return;
+    return add_at_rest(now.time, *plate_, forces, now.what_strains(), [&](const Supports& supports) {
+      auto loads = supports.applied(plate::acting_load(*plate_));
+      if (now.stretched) loads.add(1, supports.applied(*now.stretched));  // apart: they may cancel
+      return loads;
+    });
   }
   if (!moving_) moving_ = std::make_shared<const Moving>(*plate_, rotary_, mass_of_cells_);
   const auto& [supports, each, inertial_force] = *moving_;
@@ -312,9 +318,40 @@ void ReactionRows::add(double time, const plate::Formulation& plate, const plate
                        const plate::State& state, const plate::Forces& load) {
   supports_ = supports_of(plate);
   if (supports_.empty()) return;
+  add_at_rest(time, plate, forces, state, [&](const Supports& supports) { return supports.applied(load); });
+}
+
+void ReactionRows::add_at_rest(double time, const plate::Formulation& plate, const plate::Operator& forces,
+                               const plate::State& state, const std::function<Applied(const Supports&)>& loads) {
   const Supports supports(plate.boundary());
-  const auto loads = supports.applied(load);
-  balances_.emplace_back(time, supports.balance(on_held(plate, forces, state), loads, nullptr, state));
+  const auto internal = on_held(plate, forces, state);
+  const auto load = loads(supports);
+  balances_.emplace_back(time, supports.balance(internal, load, nullptr, state));
+  if (pieces_ == 0) return;
+  constexpr double decay = 5;  // layers, within which twist and shear by an edge are below 1 %
+  const auto reaction = supports.reaction(internal, load, nullptr);
+  take_edges(time, supports.along_edges(reaction, pieces_, decay * plate.section().layer()));
+}
+
+/// Adds rows of edge_reactions.csv and corner_forces.csv.
+void ReactionRows::take_edges(double time, const EdgeReactions& found) {
+  edges_.columns = {"time",
+                    "support",
+                    "s",
+                    "x",
+                    "y",
+                    "piece_length",
+                    "force_per_length",
+                    "moment_per_length",
+                    "twist_per_length",
+                    "kirchhoff_force"};
+  corners_.columns = {"time", "corner", "x", "y", "force"};
+  for (const auto& [edge, values] : found.curves)
+    for (const auto& one : values)
+      edges_.rows.push_back({time, edge, one.s, one.position.x(), one.position.y(), one.length, one.force, one.moment,
+                             one.twist, one.kirchhoff_force});
+  for (const auto& [corner, x, force] : found.corners) corners_.rows.push_back({time, corner, x.x(), x.y(), force});
+  corner_forces_ = found.corners;
 }
 
 Table ReactionRows::table() const {
@@ -334,6 +371,12 @@ Table ReactionRows::table() const {
   return table;
 }
 
+void record(const ReactionRows& rows, Recorder& recorder) {
+  if (!rows.empty()) recorder.table("reactions", rows.table());
+  if (!rows.edges().rows.empty()) recorder.table("edge_reactions", rows.edges());
+  if (!rows.corners().rows.empty()) recorder.table("corner_forces", rows.corners());
+}
+
 std::optional<ReactionSummary> ReactionRows::summary() const {
   if (balances_.empty()) return std::nullopt;
   ReactionSummary result{supports_, balances_.back().first, balances_.back().second, 0, {}};
@@ -344,7 +387,7 @@ std::optional<ReactionSummary> ReactionRows::summary() const {
   }
   for (const auto& [time, balance] : balances_)
     result.largest_residual = std::max(result.largest_residual, balance.residual);
-  result.truncation = truncation_;
+  result.truncation = truncation_, result.corners = corner_forces_;
   return result;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -18,6 +19,7 @@ struct Instant;
 namespace post {
 
 struct Response;
+class Recorder;
 
 /// Wrench of the nodal force `value`, conjugate to w (component 0) or a rotation (1, 2), at a place.
 Wrench wrench(const geometry::Point& at, std::size_t component, double value);
@@ -29,6 +31,27 @@ struct Applied {
   Eigen::VectorXd held;  // on what is held
 
   void add(double factor, const Applied& other);
+};
+
+/// Reaction on a piece of an edge, about the middle of the piece, per length; n is the outward normal, s along the way.
+struct EdgeValue {
+  double s = 0;                    // of the middle [length]
+  geometry::Point position{0, 0};  // of the middle
+  double length = 0;               // of the piece
+  double force = 0;                // along w [force/length]
+  double moment = 0, twist = 0;    // M_nn and M_ns [force]
+  double kirchhoff_force = 0;      // force with the twist as forces, without those at corners [force/length]
+};
+
+struct EdgeCurve {
+  std::string edge;
+  std::vector<EdgeValue> values;
+};
+
+/// Reactions along the sides that edges hold, s running over all sides of a name, and at their corners.
+struct EdgeReactions {
+  std::vector<EdgeCurve> curves;
+  std::vector<CornerForce> corners;
 };
 
 /// The reactions of a plate by edges and pins, from what its forces leave on what is held, and by foundations and
@@ -46,6 +69,12 @@ public:
   /// degrees of freedom; `loads`: that act; `inertia`: mass times acceleration, in motion; `state`: u.
   Balance balance(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia,
                   const plate::State& state) const;
+  /// Forces of the supports on what they hold; arguments as of balance().
+  Eigen::VectorXd reaction(const Eigen::VectorXd& internal, const Applied& loads, const Applied* inertia) const;
+  /// Reactions on `pieces` equal pieces of every side that an edge holds; collective. The wrenches of the pieces add up
+  /// to the row of the edge in balance(). A corner force is what the ends of both edges, which are `layer` [length] or
+  /// three spacings long, carry more than the smooth curve beside them, with twist as forces.
+  EdgeReactions along_edges(const Eigen::VectorXd& reaction, std::size_t pieces, double layer) const;
   /// Elastic forces of the plate along w on every support, as functionals of its state [supports x 3 points, as
   /// State::data()]; where there are many supports, their sum.
   Eigen::MatrixXd elastic_forces(const plate::Operator& plate) const;
@@ -57,6 +86,7 @@ private:
     std::uint32_t holder, held;  // number among those that are held
     Wrench unit;
   };
+  std::vector<std::size_t> sides_of(const Share& share) const;
 
   const plate::Boundary* boundary_;
   std::vector<Share> shares_;  // by holders
@@ -115,31 +145,47 @@ public:
   void add(double time, const plate::Formulation& plate, const plate::Operator& forces, const plate::State& state,
            const plate::Forces& load);
 
+  /// Also takes the reactions along edges, on so many pieces of each, of rows of plates at rest that follow.
+  void along_edges(std::size_t pieces) { pieces_ = pieces; }
+
   /// Sets the truncation by the Lanczos vectors that move the plate: ReactionSummary::truncation.
   void truncated(double share) { truncation_ = share; }
 
   bool empty() const { return balances_.empty(); }
   /// The rows of reactions.csv.
   Table table() const;
+  /// The rows of edge_reactions.csv and corner_forces.csv; without rows where they are not taken.
+  const Table& edges() const { return edges_; }
+  const Table& corners() const { return corners_; }
   std::optional<ReactionSummary> summary() const;
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(supports_, balances_);
+    archive(supports_, balances_, edges_, corners_);
   }
 
 private:
+  void add_at_rest(double time, const plate::Formulation& plate, const plate::Operator& forces,
+                   const plate::State& state, const std::function<Applied(const Supports&)>& loads);
+  void take_edges(double time, const EdgeReactions& found);
+
   /// Moving plate.
   struct Moving;
 
   std::vector<ReactionSummary::Support> supports_;
   std::vector<std::pair<double, Balance>> balances_;
   std::optional<double> truncation_;
+  std::size_t pieces_ = 0;  // of every edge
+  Table edges_, corners_;
+  std::vector<CornerForce> corner_forces_;  // of the last row
   // of one plate:
   const plate::Formulation* plate_ = nullptr;
   double rotary_ = 1, drag_ = 0;
   bool mass_of_cells_ = false;
   std::shared_ptr<const Moving> moving_;  // once it does
 };
+
+/// Records the tables that have rows.
+void record(const ReactionRows& rows, Recorder& recorder);
 
 }  // namespace post

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cases/driver/prepared.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/files/summary.hpp"
@@ -16,16 +17,31 @@ using namespace case_text;
 
 namespace {
 
+struct Solved {
+  cases::CaseFile file;
+  std::unique_ptr<const plate::Formulation> plate;
+  plate::State state;
+};
+
 /// Solved to rounding.
-post::ReactionSummary reactions_of(std::vector<std::string> settings, const std::string& formulation) {
+Solved solved(std::vector<std::string> settings, const std::string& formulation) {
   settings.push_back("analysis.method=direct");
   settings.push_back("discretization.formulation=" + formulation);
-  const auto file = read(plain, settings);
-  const auto plate = cases::discretised(file).plate;
-  const auto state = plate::static_solution(*plate, file.content.analysis, {1e-11, 1000, {}}).solution.state;
+  Solved result{read(plain, settings), {}, {}};
+  result.plate = cases::discretised(result.file).plate;
+  result.state = plate::static_solution(*result.plate, result.file.content.analysis, {1e-11, 1000, {}}).solution.state;
+  return result;
+}
+
+post::ReactionRows rows_of(const Solved& one, std::size_t pieces) {
   post::ReactionRows rows;
-  rows.add(0, *plate, *plate, state, 1);
-  return rows.summary().value();
+  rows.along_edges(pieces);
+  rows.add(0, *one.plate, *one.plate, one.state, 1);
+  return rows;
+}
+
+post::ReactionSummary reactions_of(std::vector<std::string> settings, const std::string& formulation) {
+  return rows_of(solved(std::move(settings), formulation), 0).summary().value();
 }
 
 const post::Wrench& by(const post::ReactionSummary& reactions, const std::string& name) {
@@ -179,4 +195,87 @@ TEST_CASE("reactions: the edges of a rectangle with hard supports share the pres
     CHECK(by(found, "left").force == Approx(left).epsilon(0.02));
     CHECK(by(found, "left").force + by(found, "bottom").force == Approx(-1).epsilon(1e-7));
   }
+}
+
+namespace {
+
+/// Outward normal of the side of a name next to a place.
+geometry::Point normal_at(const plate::Boundary& boundary, const std::string& name, const geometry::Point& x) {
+  const auto u = boundary.cloud.units.to_units(x);
+  const plate::Side* nearest = nullptr;
+  for (const auto& side : boundary.sides)
+    if (side.name == name && (!nearest || std::abs(side.inside(u)) < std::abs(nearest->inside(u)))) nearest = &side;
+  return nearest->outward(u);
+}
+
+/// Wrench of all pieces of an edge, and the sum of its Kirchhoff forces.
+std::pair<post::Wrench, double> sum_along(const post::Table& rows, const std::string& edge,
+                                          const plate::Boundary& boundary) {
+  post::Wrench sum;
+  double kirchhoff = 0;
+  for (const auto& row : rows.rows) {
+    if (std::get<std::string>(row[rows.column("support")]) != edge) continue;
+    const auto number = [&](const char* column) { return std::get<double>(row[rows.column(column)]); };
+    const geometry::Point x(number("x"), number("y")), n = normal_at(boundary, edge, x), s(-n.y(), n.x());
+    const double length = number("piece_length");
+    const geometry::Point about = length * (number("moment_per_length") * s - number("twist_per_length") * n);
+    sum += post::wrench(x, 0, length * number("force_per_length"));
+    sum += post::Wrench{0, about.x(), about.y()};
+    kirchhoff += length * number("kirchhoff_force");
+  }
+  return {sum, kirchhoff};
+}
+
+/// Pieces add up to the row of every edge, Kirchhoff forces and corners to all of them.
+void check_pieces(const std::vector<std::string>& settings, const std::string& formulation, std::size_t pieces) {
+  CAPTURE(settings, formulation, pieces);
+  const auto one = solved(settings, formulation);
+  const auto rows = rows_of(one, pieces);
+  const auto found = rows.summary().value();
+  double all = 0, kirchhoff = 0, size = std::abs(found.balance.loads.force);
+  for (const auto& support : found.balance.supports) size = std::max(size, std::abs(support.force));
+  for (std::size_t i = 0; i < found.supports.size(); ++i) {
+    if (one.plate->boundary().holders[i].place != plate::Holder::Place::edge) continue;
+    const auto [sum, own] = sum_along(rows.edges(), found.supports[i].name, one.plate->boundary());
+    const auto& expected = found.balance.supports[i];
+    CHECK(std::abs(sum.force - expected.force) < 1e-10 * size);  // measured: below 1e-13
+    CHECK(std::abs(sum.moment_x - expected.moment_x) < 1e-10 * size);
+    CHECK(std::abs(sum.moment_y - expected.moment_y) < 1e-10 * size);
+    all += sum.force, kirchhoff += own;
+  }
+  for (const auto& corner : found.corners) kirchhoff += corner.force;
+  CHECK(size > 0.1);
+  CHECK(std::abs(kirchhoff - all) < 1e-10 * size);
+  CHECK(found.corners.size() == rows.corners().rows.size());
+}
+
+}  // namespace
+
+TEST_CASE("reactions along edges: pieces add up to what the support does, Kirchhoff forces and corners likewise") {
+  const std::string load = "load=[{kind=\"pressure\",value=2},{kind=\"point_force\",position=[0.32,0.57],value=3}]";
+  for (const std::string formulation : {"galerkin", "ordinary"})
+    for (const std::string kind : {"clamped", "simply_supported", "simply_supported_hard"})
+      for (const auto& shape : shapes) {
+        if (formulation == "ordinary" && shape == oblique && kind != "clamped") continue;
+        check_pieces({shape, load, "discretization.spacing=0.1", all_round(kind)}, formulation,
+                     kind == "clamped" ? 7 : 40);
+      }
+  for (const std::string kind : {"clamped_layer", "simply_supported_layer", "simply_supported_hard_layer"})
+    check_pieces({shapes[1], load, "discretization.spacing=0.1", all_round(kind)}, "ordinary", 20);
+  for (const std::string formulation : {"galerkin", "ordinary"}) {
+    check_pieces({shapes[0], load, "discretization.spacing=0.1",
+                  "support=[{kind=\"symmetry\",edges=[\"left\",\"bottom\"]},{kind=\"clamped\",edges=[\"top\"]}]"},
+                 formulation, 10);
+    check_pieces({shapes[2], load, "discretization.spacing=0.1",
+                  "support=[{kind=\"clamped\",edges=[\"hole0\"]},{kind=\"pinned\",points=[[0.75,0.75]]}]"},
+                 formulation, 16);
+  }
+}
+
+TEST_CASE("reactions along edges: nothing is recorded that was not asked for") {
+  const auto rows =
+      rows_of(solved({all_round("clamped"), "discretization.spacing=0.2", "geometry.cracks=[]"}, "galerkin"), 0);
+  CHECK(rows.edges().rows.empty());
+  CHECK(rows.corners().rows.empty());
+  CHECK(rows.summary().value().corners.empty());
 }
