@@ -39,6 +39,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
   for (auto& support : c.supports) support.push = plate::Push::both_ways;
   c.output.history_every = c.analysis.duration / std::clamp(reduced.steps / 8, 1.0, 8.0);
   c.output.every.reset(), c.output.probes.clear(), c.output.lines.clear(), c.output.errors = false;
+  c.output.edge_reactions = 0;
   if (!reduced.factors) c.srif.reset();
   if (c.impact) c.impact->stiffness *= 1e-9;
   if (c.srif) c.srif->second_formulation = c.srif->richardson = false;

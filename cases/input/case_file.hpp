@@ -29,6 +29,7 @@ struct Output {
   double checkpoint_every = 60;  // [s] of the clock; 0: never
   std::map<std::string, geometry::Point> probes;
   std::map<std::string, std::array<geometry::Point, 2>> lines;  // from one point to the other, at rest
+  std::size_t edge_reactions = 0;         // pieces of every edge along which reactions are recorded, at rest
   std::optional<double> stress_distance;  // from singular places, of stress [length]; absent: the thickness
 
   bool reports() const { return report.value_or(vtk || hdf5); }

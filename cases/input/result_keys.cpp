@@ -225,6 +225,10 @@ Fields<Output> output_fields() {
           .used_in({Analysis::Kind::static_, Analysis::Kind::frequencies}),
       probes().used_in({Analysis::Kind::static_, Analysis::Kind::dynamic, Analysis::Kind::harmonic}),
       lines().in({Analysis::Kind::static_}),
+      number<O>("edge_reactions", "-", &O::edge_reactions, {1, 1000},
+                "pieces of every held edge along which its force, moment and twist per length are recorded, with the "
+                "forces at corners")
+          .in({Analysis::Kind::static_}),
       number<O>("stress_distance", "length", &O::stress_distance, positive,
                 "distance from tips, sharp corners, pins and point forces at which the stress there is stated; given, "
                 "the largest stress leaves out what is nearer")

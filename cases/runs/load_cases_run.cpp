@@ -169,7 +169,7 @@ private:
   double demand_ = -1;                                     // largest equivalent K so far, or von Mises stress
   std::vector<std::vector<post::Srif>> factors_in_plane_;  // of every one that is found; none without loads there
   std::vector<std::vector<std::string>> of_planes_;        // warnings of the same
-  post::Table srifs_{post::srif_columns(), {}}, reactions_, faces_;
+  post::Table srifs_{post::srif_columns(), {}}, reactions_, edges_, corners_, faces_;
   std::vector<std::string> warnings_;
 };
 
@@ -269,11 +269,11 @@ void LoadCases::react(post::LoadCaseSummary& one, double number, const LoadCaseS
   plate::Forces load = now.load;
   if (now.curved) load += now.curved->on_bending;
   if (now.coupled) load += now.coupled->on_bending;
+  reactions.along_edges(content().output.edge_reactions);
   reactions.add(number, plate_, plate_, now.what_strains(), load);
   if (reactions.empty()) return;
-  auto table = reactions.table();
-  reactions_.columns = table.columns;
-  std::ranges::move(table.rows, std::back_inserter(reactions_.rows));
+  post::append(reactions_, reactions.table());
+  post::append(edges_, reactions.edges()), post::append(corners_, reactions.corners());
   one.reactions = reactions.summary();
 }
 
@@ -644,10 +644,12 @@ void LoadCases::finish() {
     recorder.table("envelope", post::envelope_table(summary.envelope));
   }
   outputs_.given_cracks(plate_);
-  if (!reactions_.rows.empty()) {
-    post::name_cases(reactions_, found_);
-    recorder.table("reactions", std::move(reactions_));
-  }
+  const auto record = [&](const char* name, post::Table& table) {
+    if (table.rows.empty()) return;
+    post::name_cases(table, found_);
+    recorder.table(name, std::move(table));
+  };
+  record("reactions", reactions_), record("edge_reactions", edges_), record("corner_forces", corners_);
   if (!summary.load_steps.rows.empty()) recorder.table("load_steps", summary.load_steps);
   if (!faces_.rows.empty()) recorder.table("contact", std::move(faces_));
   const auto said = warnings();

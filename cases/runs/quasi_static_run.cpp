@@ -55,6 +55,7 @@ std::vector<geometry::Polyline> QuasiStaticRun::cracks() const {
 
 post::Summary QuasiStaticRun::operator()(post::Recorder recorder, RunCheckpoints* checkpoints) {
   outputs_.emplace(plan_, std::move(recorder), stopwatch_);
+  reactions_.along_edges(content_.output.edge_reactions);
   checkpoints_ = checkpoints;
   return carry_out(*this, *outputs_);
 }
@@ -185,7 +186,7 @@ void QuasiStaticRun::record() {
     outputs_->final_state(model_->plate(), drawn().first);
   }
   if (tips_ || content_.srif) recorder.table("srif", srifs_);
-  if (!reactions_.empty()) recorder.table("reactions", reactions_.table());
+  post::record(reactions_, recorder);
   const auto& record = model_->record();
   recorder.table("growth", record.growth);
   recorder.table("tips", record.tips);

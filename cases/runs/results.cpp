@@ -39,7 +39,9 @@ Results::Results(Outputs& outputs, const plate::Formulation& plate, const std::v
                  content().analysis.method == plate::Analysis::Method::lanczos,
                  content().analysis.damping.value_or(plate::Damping{}).mass),
       extremes_(plate, content().output.stress_distance),
-      energy_balance_(content().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {}
+      energy_balance_(content().growth ? post::EnergyBalance::Plate::grows : post::EnergyBalance::Plate::moves) {
+  reactions_.along_edges(content().output.edge_reactions);
+}
 
 void Results::in_plane(const plate::Formulation& membrane, MembraneResult result) {
   membrane_ = &membrane, in_plane_ = std::move(result);
@@ -200,7 +202,7 @@ void Results::finish() {
     recorder.cracks(finish_growth(), factors_.last());
   else
     outputs_.given_cracks(plate_, factors_.last());
-  if (!reactions_.empty()) recorder.table("reactions", reactions_.table());
+  post::record(reactions_, recorder);
   if (!contact_forces_.rows.empty()) recorder.table("impact", contact_forces_);
   const auto& history = recorder.history();
   if (content().moves() && recorder.plots())

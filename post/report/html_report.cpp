@@ -33,6 +33,10 @@ std::string tables(const fs::path& folder) {
   add("growth", whole);
   add("response", whole);
   add("reactions", [](const Table& table) { return columns_of(table, {"time", "support", "force"}); });
+  add("edge_reactions", [](const Table& table) {
+    return columns_of(table, {"time", "support", "s", "force_per_length", "moment_per_length", "twist_per_length",
+                              "kirchhoff_force"});
+  });
   add("cracks", whole);
   add("contact", whole);
   add("srif", [](const Table& table) {

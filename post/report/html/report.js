@@ -7,7 +7,7 @@ function sections() {
   const governing = governing_section();
   return [header(), warnings_section(), governing ? element("div", { class: "pair" }, governing, plate_section()) : plate_section(), factors_section(), load_cases_section(), largest_section("peaks", "Largest in time"), largest_section("extremes", "Largest values"), probes_section(), lines_section(), contact_section(), frequencies_section(), buckling_section(), load_steps_section(), growth_section(),
     curve_plots ? section("Curves", curve_plots, data.summary.response?.some(one => one.quantity === "K1") ? note("K1 changes its sign in every period: amplitudes hold while a static load keeps the crack faces apart.") : null, screen_note("Drag over a plot to zoom, double click to go back; the values under the pointer stand below it.")) : null,
-    accuracy_section(), fields_section(), reactions_section(), energy_section(), other_section(), cost_section(), case_section()];
+    accuracy_section(), fields_section(), reactions_section(), edges_section(), energy_section(), other_section(), cost_section(), case_section()];
 }
 
 /** Dark or light as the reader's system wants it, unless the address ends in #dark or #light; paper is light. */

@@ -117,6 +117,26 @@ function reactions_section() {
     reactions.largest_residual === undefined ? "" : [", at most ", value("reactions.largest_residual", 3), " at any time"], "."));
 }
 
+/** Reactions along edges, of the first load case where there are some, and the forces at corners of all. */
+function edges_section() {
+  const edges = tables.edge_reactions, { load_cases } = data.summary;
+  if (!edges?.support) return null;
+  const first = edges.support.map((_, i) => i).filter(i => edges.time[i] === edges.time[0]), name = load_cases ? `, ${load_cases[0].name}` : "";
+  const own = [...grouped(first, i => edges.support[i])].map(([support, found]) => [support, found.map(k => first[k])]);
+  const size = column => largest(first.map(i => edges[column][i])), most = 12;
+  const drawn = [["kirchhoff_force", "Force", "shear", size("force_per_length")], ["moment_per_length", "Moment Mnn", "Mxx", 0], ["twist_per_length", "Twist Mns", "Mxx", size("moment_per_length")]]
+    .filter(([column, , , beside]) => size(column) > 1e-6 * beside && size(column) > 0)
+    .map(([column, title, quantity]) => plot({ title: `${title} along the edges${name}`, x: { label: "along the edge", quantity: "length" }, y: { label: title.toLowerCase(), quantity },
+      lines: own.slice(0, most).map(([support, rows]) => ({ label: String(support), x: rows.map(i => edges.s[i]), y: rows.map(i => edges[column][i]) })) }));
+  const runs = load_cases ? of_cases(load_cases, (one, n) => [{ name: one.name, path: `load_cases[${n}].reactions.corner_forces`, all: one.reactions?.corner_forces ?? [] }])
+    : [{ path: "reactions.corner_forces", all: data.summary.reactions?.corner_forces ?? [] }];
+  const { factor, name: of_unit } = prefixed("force", runs.flatMap(run => run.all.map(one => one.force)));
+  const rows = runs.flatMap(run => run.all.map((one, i) => [...(load_cases ? [run.name] : []), one.corner, shown(one.x, 4), shown(one.y, 4), value(`${run.path}[${i}].force`, 4, null, factor)]));
+  const corners = rows.length === 0 ? null : table([...(load_cases ? [{ title: "case", left: true }] : []), { title: "corner", left: true }, { title: "x", unit: unit("length") }, { title: "y", unit: unit("length") }, { title: "force", unit: of_unit }], rows, { "data-table": "corner_forces" });
+  return section("Reactions along the edges", plots(drawn), corners,
+    note("On the plate, along w, per length; s runs with the plate on the left. The force has the twist as forces (Kirchhoff); what it leaves out next to corners is the force at the corner."));
+}
+
 /** Values of a plate at rest at its probes: a column for each. */
 function probes_section() {
   const all = data.summary.probes;
