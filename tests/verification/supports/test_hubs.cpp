@@ -306,8 +306,7 @@ TEST_CASE("the points of a hub move as one body, across the plate and in its pla
       const auto state = solve_static(*plate, plate->total_load(), StaticMethod::direct, Preconditioning::automatic,
                                       {1e-12, 200000, {}})
                              .solution.state;
-      const double horizon = kind == &ordinary ? c.discretization.horizon() : 0;
-      const auto hubs = hubs_of(c.supports, plate->cloud(), horizon, {});
+      const auto hubs = hubs_of(c.supports, plate->cloud());
       REQUIRE(hubs.size() == 1);
       const bool plane = plate == plates.membrane.get();
       const double size = state.cwiseAbs().maxCoeff();
