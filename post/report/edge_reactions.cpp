@@ -308,9 +308,8 @@ EdgeReactions Supports::along_edges(const Eigen::VectorXd& reaction, std::size_t
     const EdgeLine line(sides[s], units);
     std::vector<double> places;
     for (const auto& [place, share] : of_side[s]) places.push_back(place);
-    const Cells cells(line, places, near);
-    const double widest = plate::largest_of(boundary_->map, cells.largest());
-    const double end = std::min(line.length / 8, std::max(layer, 3 * widest));
+    const Cells cells(line, plate::gathered(boundary_->map, places), near);
+    const double end = std::min(line.length / 8, std::max(layer, 3 * cells.largest()));
     const auto finer = std::size_t(std::ceil(2 * line.length / (double(pieces) * end)));
     std::vector<std::vector<PieceShare>> shares(pieces * finer);
     for (const auto& [place, share] : of_side[s]) spread(line, cells, place, share, shares);
