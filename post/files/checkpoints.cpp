@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array names{"checkpoint", "checkpoint.before"};
 constexpr const char* name_of_end = "checkpoint.end";    // of a run that has ended
-constexpr const char* magic = "PDPlate checkpoint 4: ";  // the number of its form
+constexpr const char* magic = "PDPlate checkpoint 5: ";  // the number of its form
 
 constexpr std::size_t digits = 16;  // of the checksum, at the end
 
