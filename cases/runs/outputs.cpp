@@ -221,10 +221,31 @@ post::Summary Outputs::finish() {
   return summary_;
 }
 
+namespace {
+
+/// Warnings of corner forces that bonds do not resolve: a soft support spreads them over about a thickness.
+std::vector<std::string> warnings_about_corners(const Case& c, const plate::Formulation& plate) {
+  using enum plate::SupportKind;
+  const bool soft = std::ranges::any_of(c.supports, [](const plate::Support& one) {
+    return one.holds_edges() && (one.kind == simply_supported || one.kind == simply_supported_layer);
+  });
+  const double most = c.section.thickness / 2;
+  if (c.output.edge_reactions == 0 || !soft || !plate.offers(plate::Feature::horizon) ||
+      plate.discretization().spacing <= 1.001 * most)
+    return {};
+  return {
+      fmt::format("corner forces of soft simple supports need closer points; set discretization.spacing = {:.2g}, or "
+                  "support[].kind = \"simply_supported_hard\"",
+                  most)};
+}
+
+}  // namespace
+
 PlateAnalysis::PlateAnalysis(const ValidatedPlate& ready, Outputs& outputs)
     : ready_(ready), plate_(*ready.plate), outputs_(outputs) {
   summary() = about(content(), plate_, ready.warnings);
   summary().targets = ready.targets;
+  outputs.warn(warnings_about_corners(content(), plate_));
   outputs.open(plate_);
   outputs.compare_with(ready.other_results);
 }

@@ -443,3 +443,35 @@ TEST_CASE(
   CHECK(all.summary.outcome == "done");
   CHECK(nlohmann::json::parse(all.in_memory.summary).at("load_cases").at(2).at("superposed") == false);
 }
+
+TEST_CASE("load cases: reactions along edges follow the loads, and are absent where nobody asks for them") {
+  const std::vector<std::string> soft{"section.thickness=0.05",
+                                      "support=[{kind=\"simply_supported\",edges=[\"left\",\"right\",\"bottom\"]}]",
+                                      "output.errors=false"};
+  auto along = soft;
+  along.push_back("output.edge_reactions=5");
+  const auto text = with_line(cases_of_three, 9, "spacing = 0.1");
+  const auto found = run(text, "galerkin", along);
+  const auto& edges = table_of(found, "edge_reactions");
+  const auto& corners = table_of(found, "corner_forces");
+  CHECK(edges.columns.back() == "case");
+  REQUIRE(edges.rows.size() == 4 * 3 * 5);  // of cases and a combination, edges, pieces
+  REQUIRE(corners.rows.size() == 4 * 4);
+  const auto combined = [&](const post::Table& table, const char* column) {
+    const auto value = [&, each = table.rows.size() / 4](std::size_t of, std::size_t row) {
+      return number(table.rows[of * each + row][table.column(column)]);
+    };
+    for (std::size_t row = 0; row < table.rows.size() / 4; ++row)
+      CHECK(value(3, row) ==
+            Approx(1.35 * value(0, row) - 2 * value(1, row) + 1.5 * value(2, row)).epsilon(1e-6).margin(1e-7));
+  };
+  combined(edges, "force_per_length"), combined(edges, "kirchhoff_force"), combined(corners, "force");
+  for (const auto& one : found.summary.load_cases) CHECK(one.reactions.value().corners.size() == 4);
+  const auto json = nlohmann::json::parse(post::to_json(found.summary));
+  CHECK(json["load_cases"][0]["reactions"]["corner_forces"].size() == 4);
+  CHECK(std::ranges::none_of(found.summary.warnings, [](const auto& one) { return one.starts_with("corner forces"); }));
+  const auto bonds = run(text, "ordinary", along);
+  CHECK(std::ranges::count_if(bonds.summary.warnings,
+                              [](const auto& one) { return one.starts_with("corner forces"); }) == 1);
+  CHECK_THROWS_AS(table_of(run(text, "galerkin", soft), "edge_reactions"), std::out_of_range);
+}
