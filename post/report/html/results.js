@@ -124,9 +124,9 @@ function edges_section() {
   const first = edges.support.map((_, i) => i).filter(i => edges.time[i] === edges.time[0]), name = load_cases ? `, ${load_cases[0].name}` : "";
   const own = [...grouped(first, i => edges.support[i])].map(([support, found]) => [support, found.map(k => first[k])]);
   const size = column => largest(first.map(i => edges[column][i])), most = 12;
-  const drawn = [["kirchhoff_force", "Force", "shear", size("force_per_length")], ["moment_per_length", "Moment Mnn", "Mxx", 0], ["twist_per_length", "Twist Mns", "Mxx", size("moment_per_length")]]
-    .filter(([column, , , beside]) => size(column) > 1e-6 * beside && size(column) > 0)
-    .map(([column, title, quantity]) => plot({ title: `${title} along the edges${name}`, x: { label: "along the edge", quantity: "length" }, y: { label: title.toLowerCase(), quantity },
+  const drawn = [["kirchhoff_force", "Force", "V", "shear", size("force_per_length")], ["moment_per_length", "Moment", "Mnn", "Mxx", extent() * size("force_per_length")], ["twist_per_length", "Twist", "Mns", "Mxx", extent() * size("force_per_length")]]
+    .filter(([column, , , , beside]) => size(column) > 1e-6 * beside && size(column) > 0)
+    .map(([column, title, label, quantity]) => plot({ title: `${title} along the edges${name}`, x: { label: "along the edge", quantity: "length" }, y: { label, quantity },
       lines: own.slice(0, most).map(([support, rows]) => ({ label: String(support), x: rows.map(i => edges.s[i]), y: rows.map(i => edges[column][i]) })) }));
   const runs = load_cases ? of_cases(load_cases, (one, n) => [{ name: one.name, path: `load_cases[${n}].reactions.corner_forces`, all: one.reactions?.corner_forces ?? [] }])
     : [{ path: "reactions.corner_forces", all: data.summary.reactions?.corner_forces ?? [] }];
