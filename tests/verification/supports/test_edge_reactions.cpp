@@ -150,11 +150,12 @@ TEST_CASE("edges of a plate that lies askew to the points have the reactions of 
     for (const auto& curve : across.curves)
       for (std::size_t i = 2; i < 8; ++i) {
         const auto& expected = edge(along, curve.edge).values[i];
-        CHECK(curve.values[i].kirchhoff_force == Approx(expected.kirchhoff_force).epsilon(0.02));
-        CHECK(curve.values[i].moment == Approx(expected.moment).epsilon(0.02).margin(1e-7));
-        CHECK(std::abs(curve.values[i].twist - expected.twist) < 0.001);
+        CHECK(curve.values[i].kirchhoff_force == Approx(expected.kirchhoff_force).epsilon(0.01));  // measured: 0.4 %
+        CHECK(curve.values[i].moment == Approx(expected.moment).epsilon(0.01).margin(1e-7));       // measured: 0.3 %
+        CHECK(std::abs(curve.values[i].twist - expected.twist) < 3e-4);                            // measured: 8e-5
       }
     REQUIRE(across.corners.size() == along.corners.size());
-    for (const auto& corner : across.corners) CHECK(corner.force == Approx(along.corners.front().force).epsilon(0.03));
+    for (const auto& corner : across.corners)
+      CHECK(corner.force == Approx(along.corners.front().force).epsilon(0.03));  // measured: 1.5 %
   }
 }
