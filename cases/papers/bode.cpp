@@ -6,7 +6,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cases/papers/bodies/galerkin/tasks.hpp"
 #include "cases/papers/paper_rows.hpp"
@@ -20,12 +19,6 @@ constexpr double moved_by = 0.3;       // of points, in spacings
 constexpr double passed_below = 1e-9;  // of patch tests, whose strains are 0.1 to 0.4
 
 const gs::Solid thesis_solid{100, 0.3};  // of 7.2.2, 7.2.3
-
-/// Adds a row with the processor time since a watch was started.
-void add_timed(PaperResults& results, const ProcessorWatch& watch, PaperRow row) {
-  row.processor_seconds = watch.seconds();
-  results.rows.push_back(std::move(row));
-}
 
 post::Series numbered_series(const std::string& label, std::size_t number, post::Curve curve) {
   return {.label = label, .line = post::Line::numbered, .curve = std::move(curve), .number = number};
@@ -48,22 +41,12 @@ void add_patch(PaperResults& results, const PatchRow& row) {
     return Claim{passes ? "passes the patch test" : "fails the patch test", (norm < passed_below) == passes};
   };
   const std::string item = fmt::format("table {}, {}", row.table, row.method);
-  add_timed(results, watch,
-            {.item = item,
-             .quantity = "L2 norm of the error [m^2]",
-             .ours = ours.L2,
-             .published = row.published.L2,
-             .claim = claim(ours.L2),
-             .reference = 0,
-             .reference_is = "the field itself"});
-  add_timed(results, watch,
-            {.item = item,
-             .quantity = "H1 norm of the error [m]",
-             .ours = ours.H1,
-             .published = row.published.H1,
-             .claim = claim(ours.H1),
-             .reference = 0,
-             .reference_is = "the field itself"});
+  const auto add = [&](const std::string& norm, double own, double published) {
+    auto& result = results.add(watch, item, norm, own, 0, "the field itself");
+    result.published = published, result.claim = claim(own);
+  };
+  add("L2 norm of the error [m^2]", ours.L2, row.published.L2);
+  add("H1 norm of the error [m]", ours.H1, row.published.H1);
 }
 
 /// The square of 37 x 37 irregular points; the thesis has 1345.
@@ -183,33 +166,16 @@ void add_modes(PaperResults& results) {
         (values.segment(first_elastic, 7).array() / elements.eigenvalues().segment(first_elastic, 7).array() - 1)
             .abs()
             .maxCoeff();
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "zero modes [-]",
-               .ours = double((values.array().abs() < zero).count()),
-               .published = 3,
-               .reference = 3,
-               .reference_is = "rigid motions"});
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "modes below the 20th of elements [-]",
-               .ours = double(low),
-               .claim = modes_claim(all[number].name, double(low), worst),
-               .reference = 19,
-               .reference_is = "bilinear elements"});
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "first elastic eigenvalue [N/mm]",
-               .ours = values[first_elastic],
-               .reference = elements.eigenvalues()[first_elastic],
-               .reference_is = "bilinear elements"});
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "number of the first physical mode [-]",
-               .ours = double(first_physical(modes.eigenvectors(), elements.eigenvectors())),
-               .published = soft ? std::optional<double>(100) : std::nullopt,
-               .reference = 4,
-               .reference_is = "bilinear elements"});
+    results.add(watch, item, "zero modes [-]", double((values.array().abs() < zero).count()), 3, "rigid motions")
+        .published = 3;
+    results.add(watch, item, "modes below the 20th of elements [-]", double(low), 19, "bilinear elements").claim =
+        modes_claim(all[number].name, double(low), worst);
+    results.add(watch, item, "first elastic eigenvalue [N/mm]", values[first_elastic],
+                elements.eigenvalues()[first_elastic], "bilinear elements");
+    results
+        .add(watch, item, "number of the first physical mode [-]",
+             double(first_physical(modes.eigenvectors(), elements.eigenvectors())), 4, "bilinear elements")
+        .published = soft ? std::optional<double>(100) : std::nullopt;
   }
   results.panels.push_back(panel);
 }
@@ -354,10 +320,8 @@ void add_inf_sup(PaperResults& results, double perturbation) {
       const ProcessorWatch watch;
       const auto value = gs::inf_sup(gs::basis(name), gs::Reach::circle, cells, perturbation).value;
       curve.t.push_back(1.0 / cells), curve.y.push_back(value);
-      add_timed(results, watch,
-                {.item = fmt::format("7.2.5 inf-sup, {}, {}", points, name),
-                 .quantity = fmt::format("inf-sup value, {} x {} cells [-]", cells, cells),
-                 .ours = value});
+      results.add(watch, fmt::format("7.2.5 inf-sup, {}, {}", points, name),
+                  fmt::format("inf-sup value, {} x {} cells [-]", cells, cells), value);
     }
     const bool keeps = curve.y[2] > 0.06 && curve.y[2] > 0.7 * curve.y[1];
 
@@ -416,29 +380,13 @@ void add_tight(PaperResults& results, const TightTask& tight) {
       if (cells != 16) continue;
       const std::string item = fmt::format("{}, nu = 0.4999, {}", tight.name, name);
       const std::string elements = "Q2/P-1 elements, 48 x 48";
-      add_timed(results, watch,
-                {.item = item,
-                 .quantity = "u_y at the corner [-]",
-                 .ours = a.watched,
-                 .claim = locks ? std::optional(Claim{*locks ? "locks" : "does not lock", (error > 0.15) == *locks})
-                                : std::nullopt,
-                 .reference = exact.watched,
-                 .reference_is = elements});
-      add_timed(results, watch,
-                {.item = item,
-                 .quantity = "rms error of the pressure / rms pressure [-]",
-                 .ours = a.pressure_error,
-                 .reference = 0,
-                 .reference_is = elements});
-      add_timed(results, watch,
-                {.item = item,
-                 .quantity = "checkerboard of the pressure / rms pressure [-]",
-                 .ours = a.checkerboard,
-                 .claim = checkerboards ? std::optional(Claim{*checkerboards ? "checkerboards" : "no checkerboards",
-                                                              (a.checkerboard > 0.07) == *checkerboards})
-                                        : std::nullopt,
-                 .reference = 0,
-                 .reference_is = elements});
+      results.add(watch, item, "u_y at the corner [-]", a.watched, exact.watched, elements).claim =
+          locks ? std::optional(Claim{*locks ? "locks" : "does not lock", (error > 0.15) == *locks}) : std::nullopt;
+      results.add(watch, item, "rms error of the pressure / rms pressure [-]", a.pressure_error, 0, elements);
+      results.add(watch, item, "checkerboard of the pressure / rms pressure [-]", a.checkerboard, 0, elements).claim =
+          checkerboards ? std::optional(Claim{*checkerboards ? "checkerboards" : "no checkerboards",
+                                              (a.checkerboard > 0.07) == *checkerboards})
+                        : std::nullopt;
     }
     panel.series.push_back(numbered_series(name, number++, curve));
   }
@@ -464,12 +412,8 @@ void add_cantilever(PaperResults& results) {
                                    solid, points.body, [](const auto& x) { return x.x() < 4; }, own)
                              : own(points.body);
       const Eigen::VectorXd u = gs::solved(K, gs::loads(task, points), gs::supports(task, points));
-      add_timed(results, watch,
-                {.item = fmt::format("7.3.8 cantilever, {}{}", name, coupled ? " beside elements" : ""),
-                 .quantity = "u_y at the tip [-]",
-                 .ours = u[u.size() - 1],
-                 .reference = exact.watched,
-                 .reference_is = "Q2/P-1 elements, 64 x 16"});
+      results.add(watch, fmt::format("7.3.8 cantilever, {}{}", name, coupled ? " beside elements" : ""),
+                  "u_y at the tip [-]", u[u.size() - 1], exact.watched, "Q2/P-1 elements, 64 x 16");
     }
 }
 
@@ -545,32 +489,13 @@ void add_hole(PaperResults& results) {
     const std::string item = fmt::format("7.3.8 plate with hole, {} beside elements", way.name);
     const std::string infinite = "closed form of the infinite plate";
     const Eigen::Index top = points.places.cols() - 1 - hole_cells;  // at (0, 1)
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "sigma_xx / tension at the hole [-]",
-               .ours = line.concentration,
-               .reference = 3,
-               .reference_is = infinite});
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "rms error of sigma_xx / tension at x = 0 [-]",
-               .ours = line.mean,
-               .claim = way.consistent ? Claim{"agrees very well", line.mean < 0.05}
-                                       : Claim{"strong oscillations near coupling and boundary", line.mean > 0.2},
-               .reference = 0,
-               .reference_is = infinite});
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "largest error of sigma_xx / tension at x = 0 [-]",
-               .ours = line.worst,
-               .reference = 0,
-               .reference_is = infinite});
-    add_timed(results, watch,
-              {.item = item,
-               .quantity = "u_y E / (tension radius) at the hole [-]",
-               .ours = u[2 * top + 1] * thesis_solid.young,
-               .reference = gs::hole_displacement(thesis_solid, points.body.points.col(top)).y() * thesis_solid.young,
-               .reference_is = infinite});
+    results.add(watch, item, "sigma_xx / tension at the hole [-]", line.concentration, 3, infinite);
+    results.add(watch, item, "rms error of sigma_xx / tension at x = 0 [-]", line.mean, 0, infinite).claim =
+        way.consistent ? Claim{"agrees very well", line.mean < 0.05}
+                       : Claim{"strong oscillations near coupling and boundary", line.mean > 0.2};
+    results.add(watch, item, "largest error of sigma_xx / tension at x = 0 [-]", line.worst, 0, infinite);
+    results.add(watch, item, "u_y E / (tension radius) at the hole [-]", u[2 * top + 1] * thesis_solid.young,
+                gs::hole_displacement(thesis_solid, points.body.points.col(top)).y() * thesis_solid.young, infinite);
   }
   results.panels.push_back(panel);
 }

@@ -29,12 +29,6 @@ struct PaperRow {
   std::optional<double> difference() const;
 };
 
-/// Rows and curves of a paper.
-struct PaperResults {
-  std::vector<PaperRow> rows;
-  std::vector<post::Panel> panels;
-};
-
 /// Processor time since it was made.
 class ProcessorWatch {
 public:
@@ -42,6 +36,24 @@ public:
 
 private:
   std::clock_t begun_ = std::clock();
+};
+
+/// Rows and curves of a paper.
+struct PaperResults {
+  std::vector<PaperRow> rows;
+  std::vector<post::Panel> panels;
+
+  /// Adds a row with the processor time until now. Returns it for what else is known of it.
+  PaperRow& add(const ProcessorWatch& watch, const std::string& item, const std::string& quantity, double ours,
+                std::optional<double> reference = std::nullopt, const std::string& reference_is = {}) {
+    rows.push_back({.item = item,
+                    .quantity = quantity,
+                    .ours = ours,
+                    .reference = reference,
+                    .reference_is = reference_is,
+                    .processor_seconds = watch.seconds()});
+    return rows.back();
+  }
 };
 
 PaperResults bode(const std::filesystem::path& folder);

@@ -24,44 +24,26 @@ void add_surface_effect(PaperResults& results) {
   const ProcessorWatch watch;
   const double highest = bb::place_of(bb::load_near_end, 0, 0.5, 1),
                right = bb::place_of(bb::flux_near_end, 1, 0.1, 0.7);
-  std::vector<PaperRow> rows{{.item = "2.2 surface effect",
-                              .quantity = "largest flux / (E strain) [-]",
-                              .ours = bb::flux_near_end(highest),
-                              .published = 1.263,
-                              .reference = bb::integrated_flux(highest),
-                              .reference_is = "quadrature of (24)"},
-                             {.item = "2.2 surface effect",
-                              .quantity = "place of the largest flux / horizon [-]",
-                              .ours = highest,
-                              .published = 0.772,
-                              .reference = bb::place_of(bb::integrated_load, 0, 0.5, 1),
-                              .reference_is = "zero of the load by quadrature"},
-                             {.item = "2.2 surface effect",
-                              .quantity = "place where the flux is right / horizon [-]",
-                              .ours = right,
-                              .published = 0.394,
-                              .reference = bb::place_of(bb::integrated_flux, 1, 0.1, 0.7),
-                              .reference_is = "quadrature of (24)"}};
+  const auto add = [&](const std::string& quantity, double ours, double published, double reference,
+                       const std::string& reference_is) {
+    results.add(watch, "2.2 surface effect", quantity, ours, reference, reference_is).published = published;
+  };
+  add("largest flux / (E strain) [-]", bb::flux_near_end(highest), 1.263, bb::integrated_flux(highest),
+      "quadrature of (24)");
+  add("place of the largest flux / horizon [-]", highest, 0.772, bb::place_of(bb::integrated_load, 0, 0.5, 1),
+      "zero of the load by quadrature");
+  add("place where the flux is right / horizon [-]", right, 0.394, bb::place_of(bb::integrated_flux, 1, 0.1, 0.7),
+      "quadrature of (24)");
   for (const double x : {0.25, 0.5, 0.75, 1.25, 1.5, 1.75}) {
     const auto at = [x](const char* name) { return fmt::format("{} at x / horizon = {} [-]", name, x); };
-    rows.push_back({.item = "table 1",
-                    .quantity = at("weighted volume / full"),
-                    .ours = bb::weighted_volume_near_end(x),
-                    .reference = bb::integrated_weighted_volume(x),
-                    .reference_is = "quadrature of (25)"});
-    rows.push_back({.item = "table 2",
-                    .quantity = at("flux / (E strain)"),
-                    .ours = bb::flux_near_end(x),
-                    .reference = bb::integrated_flux(x),
-                    .reference_is = "quadrature of (24)"});
-    rows.push_back({.item = "table B1",
-                    .quantity = at("load horizon / (E strain)"),
-                    .ours = bb::load_near_end(x),
-                    .reference = bb::integrated_load(x),
-                    .reference_is = "quadrature of (B1)"});
+    results.add(watch, "table 1", at("weighted volume / full"), bb::weighted_volume_near_end(x),
+                bb::integrated_weighted_volume(x), "quadrature of (25)");
+    results.add(watch, "table 2", at("flux / (E strain)"), bb::flux_near_end(x), bb::integrated_flux(x),
+                "quadrature of (24)");
+    results.add(watch, "table B1", at("load horizon / (E strain)"), bb::load_near_end(x), bb::integrated_load(x),
+                "quadrature of (B1)");
   }
-  for (auto& row : rows) row.processor_seconds = watch.seconds();
-  results.rows.insert(results.rows.end(), rows.begin(), rows.end());
+  for (auto& row : results.rows) row.processor_seconds = watch.seconds();
   post::Panel panel{"x / horizon", "flux / (E strain)", {}};
   post::Curve table, integral;
   for (double x = 0.01; x < 2.5; x += 0.02) table.t.push_back(x), table.y.push_back(bb::flux_near_end(x));
@@ -133,11 +115,8 @@ void add_bar(const bb::BarProblem& problem, PaperResults& results) {
   }
   const double loads = bb::bar_forces(bar, problem).sum();
   for (std::size_t i = 1; i < ways.size(); ++i)
-    results.rows.push_back({.item = fmt::format("{}, {}", problem.name, ways[i].name),
-                            .quantity = "reaction at x = 0 [N]",
-                            .ours = ways[i].solution.reaction,
-                            .reference = -loads,
-                            .reference_is = "equilibrium"});
+    results.add(watch, fmt::format("{}, {}", problem.name, ways[i].name), "reaction at x = 0 [N]",
+                ways[i].solution.reaction, -loads, "equilibrium");
   for (std::size_t i = first; i < results.rows.size(); ++i) results.rows[i].processor_seconds = watch.seconds();
   results.panels.push_back(shape);
   results.panels.push_back(off);
@@ -152,13 +131,11 @@ void add_clamped_plate(PaperResults& results) {
   const auto add = [&](const std::string& way, const Eigen::VectorXd& u, std::optional<Claim> claim) {
     const Eigen::Array2d errors = bb::clamped_errors(plate, u, reference);
     for (const int component : {0, 1})
-      results.rows.push_back(
-          {.item = fmt::format("6.2 clamped plate in its plane, {}", way),
-           .quantity = fmt::format("largest error of {} [% of the largest displacement]", "uv"[component]),
-           .ours = errors[component],
-           .claim = component == 0 ? claim : std::nullopt,
-           .reference = 0,
-           .reference_is = "Ritz's method, to 2e-5"});
+      results
+          .add(watch, fmt::format("6.2 clamped plate in its plane, {}", way),
+               fmt::format("largest error of {} [% of the largest displacement]", "uv"[component]), errors[component],
+               0, "Ritz's method, to 2e-5")
+          .claim = component == 0 ? claim : std::nullopt;
     return errors[0];
   };
   const double without = add("no corrections", bb::uncorrected_clamped(plate, reference), {});

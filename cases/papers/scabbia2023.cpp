@@ -123,12 +123,8 @@ void add_plane(PaperResults& results, const PlaneTask& task) {
     const Eigen::VectorXd errors = bb::largest_errors(task.solid, solve(task), task.solution);
     number += 1;
     for (const int c : {0, 1}) {
-      results.rows.push_back({.item = fmt::format("5 plane strain, {}, {}", task.name, name),
-                              .quantity = fmt::format("largest error (44) of {} [-]", "uv"[c]),
-                              .ours = errors[c],
-                              .reference = 0,
-                              .reference_is = "closed form",
-                              .processor_seconds = watch.seconds()});
+      results.add(watch, fmt::format("5 plane strain, {}, {}", task.name, name),
+                  fmt::format("largest error (44) of {} [-]", "uv"[c]), errors[c], 0, "closed form");
       curves[std::size_t(c)].t.push_back(number), curves[std::size_t(c)].y.push_back(100 * errors[c]);
     }
   }

@@ -56,19 +56,10 @@ PaperResults scabbia_motion(const std::filesystem::path&) {
       Eigen::Index place = 0;
       (instant.u - exact).cwiseAbs().maxCoeff(&place);
       const std::string item = fmt::format("Fig. 3, {}, {:g} us", name, 1e6 * time);
-      results.rows.push_back({.item = item,
-                              .quantity = fmt::format("u at the worst node, x = {:.4f} m [m]",
-                                                      (double(place) + 0.5) * bb::moving_bar_spacing),
-                              .ours = instant.u[place],
-                              .reference = exact[place],
-                              .reference_is = "series (7)",
-                              .processor_seconds = watch.seconds()});
-      results.rows.push_back({.item = item,
-                              .quantity = "rms error over the rms of the series [-]",
-                              .ours = instant.mean,
-                              .reference = 0,
-                              .reference_is = "series (7)",
-                              .processor_seconds = watch.seconds()});
+      results.add(watch, item,
+                  fmt::format("u at the worst node, x = {:.4f} m [m]", (double(place) + 0.5) * bb::moving_bar_spacing),
+                  instant.u[place], exact[place], "series (7)");
+      results.add(watch, item, "rms error over the rms of the series [-]", instant.mean, 0, "series (7)");
       if (number > 2) continue;  // the curves that the paper draws, and the quadratic one
       for (std::size_t i = 0; i < drawn.size(); ++i)
         if (drawn[i] == instant.step)
