@@ -12,21 +12,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
 
-template <typename Value>
-void add(Json& json, const char* name, const std::optional<Value>& value) {
+/// Adds the values that are present: names and values by turns.
+template <typename Value, typename... Others>
+void add(Json& json, const char* name, const std::optional<Value>& value, const Others&... others) {
   if (value) json[name] = *value;
+  if constexpr (sizeof...(others) > 0) add(json, others...);
 }
 
 Json json_of(const Summary::Analysis& analysis) {
   Json json{{"kind", plate::name_of(analysis.kind)}, {"method", analysis.method}};
-  add(json, "preconditioner", analysis.preconditioner);
-  add(json, "iterations", analysis.iterations);
-  add(json, "steps", analysis.steps);
-  add(json, "time_step", analysis.time_step);
-  add(json, "time_step_limit", analysis.time_step_limit);
-  add(json, "residual", analysis.residual);
-  add(json, "tolerance", analysis.tolerance);
-  add(json, "duration", analysis.duration);
+  add(json, "preconditioner", analysis.preconditioner, "iterations", analysis.iterations, "steps", analysis.steps,
+      "time_step", analysis.time_step, "time_step_limit", analysis.time_step_limit, "residual", analysis.residual,
+      "tolerance", analysis.tolerance, "duration", analysis.duration);
   json["stop_reason"] = analysis.stop_reason;
   return json;
 }
@@ -44,8 +41,7 @@ Json json_of(const Srif& srif) {
     if (srif.resolved[i]) add(json, F[i], normalized[i]);
   add(json, "estimated_error", srif.estimated_error);
   for (std::size_t i = 0; i < 3; ++i) add(json, error[i], srif.errors[i]);
-  add(json, "accuracy_reached", srif.accuracy_reached);
-  add(json, "G", srif.G);
+  add(json, "accuracy_reached", srif.accuracy_reached, "G", srif.G);
   if (const auto& membrane = srif.membrane) {
     for (std::size_t i = 0; i < 2; ++i) {
       json[i == 0 ? "N1" : "N2"] = membrane->resolved[i] ? Json(membrane->N[i]) : Json();
@@ -90,19 +86,14 @@ Json json_of(const FaceFactors& faces) {
     json["KIII"] = number(faces.K[2]);
   }
   json["K_eq"] = faces.equivalent ? Json(*faces.equivalent) : Json();
-  add(json, "K_eq_height", faces.height);
-  add(json, "estimated_error_K_eq", faces.error);
-  add(json, "utilisation", faces.utilisation);
-  add(json, "estimated_error_utilisation", faces.utilisation_error);
-  add(json, "overlap", faces.overlap);
+  add(json, "K_eq_height", faces.height, "estimated_error_K_eq", faces.error, "utilisation", faces.utilisation,
+      "estimated_error_utilisation", faces.utilisation_error, "overlap", faces.overlap);
   return json;
 }
 
 Json json_of(const FaceOverlaps& one) {
   Json json{{"tip", one.tip}, {"rows", one.rows}, {"rows_above", one.above}};
-  add(json, "first_above", one.first_above);
-  add(json, "first_change", one.first_change);
-  add(json, "least_K1", one.least);
+  add(json, "first_above", one.first_above, "first_change", one.first_change, "least_K1", one.least);
   return json;
 }
 
@@ -174,19 +165,15 @@ Json json_of(const Frequency& frequency) {
             {"frequency", frequency.frequency},
             {"omega", frequency.omega},
             {"residual", frequency.residual}};
-  add(json, "share_in_plane", frequency.share_in_plane);
-  add(json, "estimated_error", frequency.error);
+  add(json, "share_in_plane", frequency.share_in_plane, "estimated_error", frequency.error);
   return json;
 }
 
 Json json_of(const GrowthSummary& growth) {
   Json json{{"outcome", growth.outcome}, {"resolved", growth.resolved}, {"advances", growth.advances}};
-  add(json, "first_load_factor", growth.first_load_factor);
-  add(json, "first_load_factor_error", growth.first_load_factor_error);
-  add(json, "largest_load_factor", growth.largest_load_factor);
-  add(json, "spent", growth.spent);
-  add(json, "largest_speed", growth.largest_speed);
-  add(json, "broken_bonds", growth.broken_bonds);
+  add(json, "first_load_factor", growth.first_load_factor, "first_load_factor_error", growth.first_load_factor_error,
+      "largest_load_factor", growth.largest_load_factor, "spent", growth.spent, "largest_speed", growth.largest_speed,
+      "broken_bonds", growth.broken_bonds);
   json["lengths"] = growth.lengths;
   return json;
 }
@@ -297,8 +284,7 @@ Json json_of(const TargetsSummary& all) {
   Json json{{"outcome", all.outcome()}, {"results", list_of(all.targets)}};
   for (const auto& step : all.path) {
     Json one{{"points", step.points}, {"spacing", step.spacing}};
-    add(one, "tip_spacing", step.tip_spacing);
-    add(one, "hole_spacing", step.hole_spacing);
+    add(one, "tip_spacing", step.tip_spacing, "hole_spacing", step.hole_spacing);
     one["seconds"] = step.seconds;
     for (const auto& target : step.targets) add(one, ("error_of_" + target.of).c_str(), target.reached);
     json["path"].push_back(one);
@@ -336,8 +322,7 @@ Json json_of(const LoadCaseSummary& one) {
   Json json{{"name", one.name}};
   if (!one.of.empty()) json["of"] = json_of(one.of);
   if (!one.of.empty() && !one.superposed()) json["superposed"] = false;
-  add(json, "iterations", one.iterations);
-  add(json, "residual", one.residual);
+  add(json, "iterations", one.iterations, "residual", one.residual);
   json["srif"] = json_of(one.srif, one.faces);
   json["extremes"] = json_of(one.extremes, false);
   add_stress_near(json, one.stress_near);
