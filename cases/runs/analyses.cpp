@@ -43,12 +43,11 @@ void look_at_multipliers(double share, const plate::Formulation& plate, std::vec
 }
 
 /// Statics or motion of one plate.
-class SinglePlate : public PlateAnalysis {
+class SinglePlate : public AnalysisWithResults {
 public:
   SinglePlate(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints);
 
   void solve() override;
-  void finish() override { results_.finish(); }
 
 private:
   void solve_static();
@@ -61,7 +60,6 @@ private:
   void save(const plate::MotionCheckpoint& now);
   std::optional<plate::MotionCheckpoint> restored();
 
-  Results results_;
   const Analysis& analysis_;
   RunCheckpoints* checkpoints_;
   std::unique_ptr<fracture::MovingGrowth> growth_;
@@ -291,10 +289,7 @@ void SinglePlate::solve_dynamic() {
 }
 
 SinglePlate::SinglePlate(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints)
-    : PlateAnalysis(ready, outputs),
-      results_(outputs, plate_, ready.tip_methods),
-      analysis_(content().analysis),
-      checkpoints_(checkpoints) {
+    : AnalysisWithResults(ready, outputs), analysis_(content().analysis), checkpoints_(checkpoints) {
   summary().accuracy = ready.accuracy;
   results_.factors().known(ready.factors);
   results_.factors().compare_with(ready.other_factors);

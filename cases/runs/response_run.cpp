@@ -185,18 +185,14 @@ void ResponseRun::finish() {
 }
 
 /// Frequencies and shapes of a plate, also under its membrane forces.
-class FrequencyRun : public PlateAnalysis {
+class FrequencyRun : public AnalysisWithResults {
 public:
-  FrequencyRun(const ValidatedPlate& ready, Outputs& outputs)
-      : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
+  using AnalysisWithResults::AnalysisWithResults;
 
   void solve() override;
-  void finish() override { results_.finish(); }
 
 private:
   plate::FrequencySolution solution(const plate::FrequencyOptions& options);
-
-  Results results_;
 };
 
 plate::FrequencySolution FrequencyRun::solution(const plate::FrequencyOptions& options) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cases/input/compatibility.hpp"
+#include "cases/runs/analyses.hpp"
 #include "fracture/growth/distributed_growth.hpp"
 #include "fracture/growth/growth.hpp"
 #include "fracture/growth/moving_growth.hpp"
@@ -259,5 +260,8 @@ void Results::restore(plate::InArchive& archive) {
   outputs_.restore(archive);
   memory(archive);
 }
+
+AnalysisWithResults::AnalysisWithResults(const ValidatedPlate& ready, Outputs& outputs)
+    : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
 
 }  // namespace cases

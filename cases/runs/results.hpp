@@ -91,4 +91,16 @@ private:
   post::Table faces_;                    // contact.csv
 };
 
+/// Analysis of a plate with the usual results.
+class AnalysisWithResults : public PlateAnalysis {
+public:
+  /// Begins the summary, and opens the outputs. Both must outlive this.
+  AnalysisWithResults(const ValidatedPlate& ready, Outputs& outputs);
+
+  void finish() override { results_.finish(); }
+
+protected:
+  Results results_;
+};
+
 }  // namespace cases

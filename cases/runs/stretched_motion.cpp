@@ -33,11 +33,10 @@ std::optional<plate::StretchedMotion::Growing> growing(const fracture::MovingGro
 }
 
 /// Motion of a plate and its plane by central differences.
-class StretchedMotionRun : public PlateAnalysis {
+class StretchedMotionRun : public AnalysisWithResults {
 public:
   StretchedMotionRun(const ValidatedPlate& ready, Outputs& outputs, RunCheckpoints* checkpoints)
-      : PlateAnalysis(ready, outputs),
-        results_(outputs, plate_, ready.tip_methods),
+      : AnalysisWithResults(ready, outputs),
         membrane_(*ready.membrane),
         growth_(growth_of(content(), plate_, membrane_)),
         both_(plate_, membrane_, content().analysis.rotary_inertia, growing(growth_.get())),
@@ -57,7 +56,6 @@ private:
   void save(const plate::MotionCheckpoint& now);
   std::optional<plate::MotionCheckpoint> restored();
 
-  Results results_;
   const plate::Formulation& membrane_;
   std::unique_ptr<fracture::MovingGrowth> growth_;
   plate::StretchedMotion both_;

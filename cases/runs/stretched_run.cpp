@@ -25,16 +25,12 @@ namespace cases {
 namespace {
 
 /// Equilibrium of a plate whose middle plane stretches.
-class LargeDeflectionRun : public PlateAnalysis {
+class LargeDeflectionRun : public AnalysisWithResults {
 public:
-  LargeDeflectionRun(const ValidatedPlate& ready, Outputs& outputs)
-      : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
+  using AnalysisWithResults::AnalysisWithResults;
 
   void solve() override;
   void finish() override;
-
-private:
-  Results results_;
 };
 
 bool is_constant(const plate::TimedLoad& load) {
@@ -118,16 +114,11 @@ void LargeDeflectionRun::finish() {
 }
 
 /// Equilibrium of a plate whose bending and stretching are coupled.
-class CoupledRun : public PlateAnalysis {
+class CoupledRun : public AnalysisWithResults {
 public:
-  CoupledRun(const ValidatedPlate& ready, Outputs& outputs)
-      : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
+  using AnalysisWithResults::AnalysisWithResults;
 
   void solve() override;
-  void finish() override { results_.finish(); }
-
-private:
-  Results results_;
 };
 
 void CoupledRun::solve() {
@@ -206,10 +197,9 @@ std::vector<double> coarser_buckling(const Case& c, const plate::Communicator& a
 }
 
 /// Buckling loads and shapes of a flat plate.
-class BucklingRun : public PlateAnalysis {
+class BucklingRun : public AnalysisWithResults {
 public:
-  BucklingRun(const ValidatedPlate& ready, Outputs& outputs)
-      : PlateAnalysis(ready, outputs), results_(outputs, plate_, ready.tip_methods) {}
+  using AnalysisWithResults::AnalysisWithResults;
 
   void solve() override;
   void finish() override;
@@ -217,8 +207,6 @@ public:
 private:
   plate::PointMatrix prestress();
   plate::PointMatrix coupled_prestress();
-
-  Results results_;
 };
 
 /// Geometric stiffness of the flat plate under its loads, with what the summary says of these.
