@@ -46,11 +46,6 @@ bool crosses(const Side& side, const Point& p, const Point& q) {
          turn(p, q, side.edge.from) * turn(p, q, side.edge.to) < 0;
 }
 
-bool is_layer_side(const Side& side) {
-  return side.kind == SupportKind::clamped_layer || side.kind == SupportKind::simply_supported_layer ||
-         side.kind == SupportKind::simply_supported_hard_layer;
-}
-
 /// A bond to a mirror image must cross a side of the image, and no image of it any other side.
 bool sees_mirror_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j, const FictitiousPoint& image) {
   const Point &p = boundary.lattice[k], &q = boundary.lattice[j];
@@ -87,7 +82,7 @@ bool sees_image(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
 
 bool sees_layer(const Boundary& boundary, std::uint32_t k, std::uint32_t j) {
   for (const Side& side : boundary.sides)
-    if (!is_layer_side(side) && crosses(side, boundary.lattice[k], boundary.lattice[j])) return false;
+    if (!is_layer(side.kind) && crosses(side, boundary.lattice[k], boundary.lattice[j])) return false;
   return true;
 }
 
