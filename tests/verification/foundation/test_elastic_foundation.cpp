@@ -3,8 +3,6 @@
 #include <numbers>
 
 #include "plate/formulation/boundary.hpp"
-#include "plate/formulation/interpolation.hpp"
-#include "plate/formulation/operator.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -12,11 +10,12 @@
 #include "plate/solve/statics.hpp"
 #include "post/report/reactions.hpp"
 #include "tests/catch.hpp"
+#include "tests/verification/at_rest.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
 namespace vp = verified_plate;
-using geometry::Point;
+using geometry::Point, vp::at, vp::at_rest;
 
 namespace {
 
@@ -28,20 +27,6 @@ cases::Case unit_square(const FormulationKind& kind, double spacing, std::option
   c.section = {1000, 0.3, 0.1, 5.0 / 6, 2};
   if (held) c.supports = {vp::held_all_round(*held)};
   return c;
-}
-
-/// At rest, whatever finds it.
-State at_rest(const Formulation& plate) {
-  const auto found =
-      solve_static(plate, plate.total_load(), StaticMethod::cg, Preconditioning::automatic, {1e-10, 20000, {}});
-  REQUIRE(found.solution.converged);
-  return found.solution.state;
-}
-
-double at(const Formulation& plate, const State& u, const Point& x) {
-  double sum = 0;
-  for (const auto& share : plate.interpolation(x)) sum += share.weight * u(0, share.point);
-  return sum;
 }
 
 /// Middle of a unit square with hard supports under unit pressure. Of every wave sin(m pi x) sin(n pi y), L = (m^2 +

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "cases/driver/neighbouring_cracks.hpp"
-#include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/mesh.hpp"
 #include "plate/formulation/sections.hpp"
 #include "plate/formulation/thermal_curvature.hpp"
@@ -12,11 +11,12 @@
 #include "post/factors/plate_factors.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
+#include "tests/verification/at_rest.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
 namespace vp = verified_plate;
-using geometry::Point;
+using geometry::Point, vp::at;
 using post::SrifMethod;
 
 namespace {
@@ -44,23 +44,10 @@ Support pins(std::vector<Point> points) {
   return support;
 }
 
-State at_rest(const Formulation& plate) {
-  const auto found =
-      solve_static(plate, plate.total_load(), StaticMethod::cg, Preconditioning::automatic, {1e-12, 20000, {}});
-  REQUIRE(found.solution.converged);
-  return found.solution.state;
-}
-
 Resultants resultants(const Formulation& plate, const State& u) {
   auto result = plate.resultants(u);
   relieve(result, plate.section(), heat_of(plate, 1));
   return result;
-}
-
-double at(const Formulation& plate, const State& u, const Point& x) {
-  double sum = 0;
-  for (const auto& share : plate.interpolation(x)) sum += share.weight * u(0, share.point);
-  return sum;
 }
 
 /// Middle of a square of side 1 with hard supports under kappa_0 = 1: by the balance of couples a wave has no shear, so
@@ -84,7 +71,7 @@ TEST_CASE("a free plate that is heated is a paraboloid without stress or energy"
       c.section.thickness = thickness;
       c.cracks = {{{0.3, 0.45}, {0.62, 0.71}}};
       const auto plate = vp::assembled(c);
-      const auto u = at_rest(*plate);
+      const auto u = vp::at_rest(*plate, 1e-12);
       const double kappa = alpha * difference / thickness, D = c.section.bending_stiffness();
       // through the three points: w = -kappa / 2 (x^2 + y^2 - x - y) + constant
       const auto bulge = [&](const Point& x) { return -kappa / 2 * (x.squaredNorm() - x.x() - x.y()); };
@@ -131,7 +118,7 @@ TEST_CASE("a clamped plate with directions that is heated does not move, and has
   c.section.orthotropic = Orthotropy{100e3, 10e3, 0.3, 5e3, 5e3, 3e3, 30};
   c.loads[0].as<Temperature>()->value = 100;
   const auto plate = vp::assembled(c);
-  const auto u = at_rest(*plate);
+  const auto u = vp::at_rest(*plate, 1e-12);
   CHECK(u.cwiseAbs().maxCoeff() < 1e-14);
   const auto forces = resultants(*plate, u);
   const Eigen::Vector3d expected(-0.016923, -0.007463, -0.008193);
@@ -149,7 +136,7 @@ TEST_CASE("a free plate with directions that is heated is a paraboloid without s
   c.section.orthotropic = Orthotropy{1000, 300, 0.3, 150, 150, 100, 30};
   c.cracks = {{{0.3, 0.45}, {0.62, 0.71}}};
   const auto plate = vp::assembled(c);
-  const auto u = at_rest(*plate);
+  const auto u = vp::at_rest(*plate, 1e-12);
   const double kappa = alpha * difference / c.section.thickness, D = c.section.bending_stiffness();
   CHECK(resultants(*plate, u).moments.cwiseAbs().maxCoeff() < 1e-8 * D * kappa);
   CHECK(std::abs(plate->strain_energy(u) + stored(*plate, heat_of(*plate, 1), u)) < 1e-10 * D * kappa * kappa);
@@ -165,7 +152,7 @@ TEST_CASE("a strip with directions under a temperature that varies along it: the
     const auto D = LocalSection(c.section).bending;
     // Mxx = 0: w'' = -(1 + Dxy / Dxx) alpha dT / h
     const double expected = -(1 + D(0, 1) / D(0, 0)) * alpha * 100 / c.section.thickness / 6;
-    const double found = at(*plate, at_rest(*plate), {1, 0.5});
+    const double found = at(*plate, vp::at_rest(*plate, 1e-12), {1, 0.5});
     CAPTURE(angle, found, expected);
     CHECK(found == Approx(expected).epsilon(0.004));  // measured: 0.17 %
   }
@@ -180,7 +167,7 @@ TEST_CASE("a hard supported plate that is heated: the series, whatever its thick
         c.section.thickness = thickness;
         const auto plate = vp::assembled(c);
         const double expected = alpha * difference / thickness * hard_middle(0.3);
-        error.push_back(at(*plate, at_rest(*plate), {0.5, 0.5}) / expected - 1);
+        error.push_back(at(*plate, vp::at_rest(*plate, 1e-12), {0.5, 0.5}) / expected - 1);
       }
       CAPTURE(kind->name, thickness, error);
       // measured: 0.12 to 0.15, 0.032 to 0.038, 0.006 % (Galerkin); -3.0 to -5.6, -0.75 to -0.91, -0.12 % (bonds)
@@ -199,7 +186,7 @@ TEST_CASE("a temperature that varies: one wave over a hard supported plate") {
       const auto plate = vp::assembled(c);
       const double pi = std::numbers::pi, kappa = alpha * difference / c.section.thickness;
       const double expected = 1.3 * kappa / (5 * pi * pi);  // laplace w = -(1 + nu) kappa_0
-      error.push_back(at(*plate, at_rest(*plate), {0.25, 0.5}) / expected - 1);
+      error.push_back(at(*plate, vp::at_rest(*plate, 1e-12), {0.25, 0.5}) / expected - 1);
     }
     CAPTURE(kind->name, error);
     // measured: 0.16, 0.049, 0.008 % (Galerkin); -11.2, -2.8, -0.45 % (bonds)
@@ -232,7 +219,8 @@ TEST_CASE("a crack in a plate with directions under a temperature that varies: t
     c.section.orthotropic = Orthotropy{3000, 1000, 0.3, 500, 500, 400, angle};
     const auto plate = vp::assembled(c);
     const auto heat = heat_of(*plate, 1);
-    const auto srifs = post::srifs(*plate, *c.srif, post::tip_methods(*plate, *c.srif), at_rest(*plate), true, &heat);
+    const auto srifs =
+        post::srifs(*plate, *c.srif, post::tip_methods(*plate, *c.srif), vp::at_rest(*plate, 1e-12), true, &heat);
     const auto table = cases::energy_check(c, c.analysis);
     for (const auto& srif : srifs) {
       if (!srif.G) continue;
@@ -249,7 +237,7 @@ TEST_CASE("cracks in heated plates: both integrals, the fit, and the energy of n
       for (std::map<std::string, double> K1; const auto* kind : both) {
         const auto c = cracked(*kind, expression, oblique);
         const auto plate = vp::assembled(c);
-        const auto u = at_rest(*plate);
+        const auto u = vp::at_rest(*plate, 1e-12);
         const auto heat = heat_of(*plate, 1);
         const auto srifs = post::srifs(*plate, *c.srif, post::tip_methods(*plate, *c.srif), u, true, &heat);
         const auto table = cases::energy_check(c, c.analysis);
@@ -300,7 +288,7 @@ TEST_CASE(
   }
   CHECK((plate->total_load() - expected).cwiseAbs().maxCoeff() < 1e-12 * expected.cwiseAbs().maxCoeff());
   const auto other = solve_static(*plate, expected, StaticMethod::cg, Preconditioning::automatic, {1e-13, 20000, {}});
-  const auto u = at_rest(*plate);
+  const auto u = vp::at_rest(*plate, 1e-12);
   CHECK((u - other.solution.state).norm() < 1e-10 * u.norm());
   // of the opening of the faces the free curvature has no part
   c.srif->methods = {SrifMethod::displacement_extrapolation};

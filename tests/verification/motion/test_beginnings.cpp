@@ -6,8 +6,6 @@
 #include <numbers>
 
 #include "plate/formulation/inertia.hpp"
-#include "plate/formulation/interpolation.hpp"
-#include "plate/formulation/operator.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/model/nodal_forces.hpp"
 #include "plate/solve/analysis.hpp"
@@ -19,22 +17,17 @@
 #include "plate/solve/statics.hpp"
 #include "post/factors/watched_motion.hpp"
 #include "tests/catch.hpp"
+#include "tests/verification/at_rest.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
 namespace vp = verified_plate;
-using geometry::Point;
+using geometry::Point, vp::at;
 
 namespace {
 
 const std::vector<const FormulationKind*> both{&galerkin, &ordinary};
 const double pi = std::numbers::pi;
-
-double at(const Formulation& plate, const State& u, const Point& x) {
-  double sum = 0;
-  for (const auto& share : plate.interpolation(x)) sum += share.weight * u(0, share.point);
-  return sum;
-}
 
 cases::Case square(const FormulationKind& kind, int cells) {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 1.0 / cells);

@@ -6,18 +6,18 @@
 
 #include "plate/formulation/boundary.hpp"
 #include "plate/formulation/inertia.hpp"
-#include "plate/formulation/interpolation.hpp"
 #include "plate/formulation/operator.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "plate/solve/motion/frequencies.hpp"
 #include "plate/solve/statics.hpp"
 #include "post/report/reactions.hpp"
 #include "tests/catch.hpp"
+#include "tests/verification/at_rest.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
 namespace vp = verified_plate;
-using geometry::Point;
+using geometry::Point, vp::at, vp::at_rest;
 constexpr double pi = std::numbers::pi;
 
 namespace {
@@ -39,19 +39,6 @@ Stiffener beam(double bending, double torsion, std::vector<std::string> edges, g
   Stiffener result;
   result.bending = bending, result.torsion = torsion, result.edges = std::move(edges), result.along = std::move(along);
   return result;
-}
-
-State at_rest(const Formulation& plate) {
-  const auto found =
-      solve_static(plate, plate.total_load(), StaticMethod::cg, Preconditioning::automatic, {1e-10, 20000, {}});
-  REQUIRE(found.solution.converged);
-  return found.solution.state;
-}
-
-double at(const Formulation& plate, const State& u, const Point& x) {
-  double sum = 0;
-  for (const auto& share : plate.interpolation(x)) sum += share.weight * u(0, share.point);
-  return sum;
 }
 
 /// Levy's solution of the thin plate, even in y: w = sum (p / D / a^5 ... ) of sines in x; deflection at (0.5, y). Edge

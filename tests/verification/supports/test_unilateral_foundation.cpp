@@ -4,7 +4,6 @@
 #include <complex>
 
 #include "plate/formulation/boundary.hpp"
-#include "plate/formulation/interpolation.hpp"
 #include "plate/formulations.hpp"
 #include "plate/model/errors.hpp"
 #include "plate/solve/motion/dynamics.hpp"
@@ -12,11 +11,12 @@
 #include "plate/solve/statics.hpp"
 #include "post/report/reactions.hpp"
 #include "tests/catch.hpp"
+#include "tests/verification/at_rest.hpp"
 #include "tests/verification/verified_plate.hpp"
 
 using namespace plate;
 namespace vp = verified_plate;
-using geometry::Point;
+using geometry::Point, vp::at;
 
 namespace {
 
@@ -41,12 +41,6 @@ StaticSolution solved(const Formulation& plate, StaticMethod method = StaticMeth
                                   total_lift(plate));
   REQUIRE(found.solution.converged);
   return found.solution;
-}
-
-double at(const Formulation& plate, const State& u, const Point& x) {
-  double sum = 0;
-  for (const auto& share : plate.interpolation(x)) sum += share.weight * u(0, share.point);
-  return sum;
 }
 
 /// A beam of Timoshenko on Winkler's soil under a force P in its middle, that lifts off at x = c on either side: beyond
