@@ -1,4 +1,4 @@
-// What was found until a growth fails stays: the plate that is seen is that of the last equilibrium, not of a trial.
+// Tables that a quasi-static growth writes. They stay where it fails: the plate seen is that of the last equilibrium.
 
 #include "cases/driver/run.hpp"
 #include "cases/input/case_file.hpp"
@@ -59,6 +59,35 @@ cases::CaseFile edge_crack(const plate::FormulationKind& kind) {
 }
 
 }  // namespace
+
+TEST_CASE("growth run: refused before it starts, it writes nothing") {
+  const small_run::TemporaryFolder folder;
+  auto file = edge_crack(fussy);
+  file.content.cracks = {{{0, 0.5}, {0.8, 0.5}}};
+  CHECK_THROWS_AS(cases::run(file, {folder / "results", true}), cases::CaseError);
+  CHECK_FALSE(fs::exists(folder / "results"));
+}
+
+TEST_CASE("growth run: one row per advance in growth.csv, one per tip and advance in tips.csv") {
+  const small_run::TemporaryFolder folder;
+  auto file = edge_crack(plate::galerkin);
+  file.content.growth->max_advances = 2;
+  const auto summary = cases::run(file, {folder.path(), true});
+  CHECK(summary.growth->outcome == "the largest number of advances");
+  const auto growth = post::read_csv(folder / "growth.csv"), tips = post::read_csv(folder / "tips.csv");
+  REQUIRE(growth.rows.size() == 3);
+  REQUIRE(tips.rows.size() == 3);
+  const auto at = [](const post::Table& table, std::size_t row, const char* name) {
+    return std::get<double>(table.rows[row][table.column(name)]);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(at(growth, i, "advance") == double(i));
+    CHECK(at(growth, i, "load_factor") == Approx(at(growth, i, "critical_load_factor")));
+    CHECK(at(growth, i, "crack_length") == Approx(0.5 + 0.1 * double(i)));
+    CHECK(at(tips, i, "x") == Approx(0.5 + 0.1 * double(i)));
+    CHECK(at(tips, i, "moves") == (i < 2 ? 1 : 0));
+  }
+}
 
 TEST_CASE("growth run: cracks that the points cannot follow are an error of the numbers, not a split plate") {
   const small_run::TemporaryFolder folder;
