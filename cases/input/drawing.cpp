@@ -53,7 +53,7 @@ public:
   }
 
   /// Places where one end is alone, with the distance of the nearest other such end, and where more than two meet.
-  std::vector<std::string> faults() const {
+  std::vector<std::string> errors() const {
     std::vector<std::string> result;
     for (const auto& [k, pieces] : at_) {
       const auto where = plate::text_of(nodes_[k]);
@@ -200,9 +200,9 @@ std::vector<Chain> loops(const std::vector<DrawnPiece>& all, const std::set<std:
   for (const auto& piece : all)
     if (of.contains(piece.layer)) pieces.push_back(piece);
   Joiner joiner(std::move(pieces), join);
-  const auto faults = joiner.faults();
-  for (const auto& fault : faults) problems.push_back(fmt::format("layer {} {}", layer, fault));
-  auto result = faults.empty() ? joiner.chains() : std::vector<Chain>();
+  const auto errors = joiner.errors();
+  for (const auto& fault : errors) problems.push_back(fmt::format("layer {} {}", layer, fault));
+  auto result = errors.empty() ? joiner.chains() : std::vector<Chain>();
   for (auto& loop : result) turn_counter_clockwise(loop), begin_lowest(loop, join);
   return result;
 }
