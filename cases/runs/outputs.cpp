@@ -156,7 +156,10 @@ bool Outputs::takes_values() const {
 }
 
 void Outputs::take_values(const plate::Formulation& plate, const post::Frame& frame) {
-  values_.push_back(post::values_at(probes_, frame, plate));
+  auto probes = probes_;
+  for (auto& probe : probes)
+    if (!probe.shares.empty()) probe.shares = post::place_in_frames(plate, probe.position);
+  values_.push_back(post::values_at(probes, frame, plate));
   stress_near_.push_back(around_ ? around_->take(frame) : std::vector<post::StressAtDistance>{});
   auto& sums = sums_.emplace_back();
   for (const auto& line : lines_) {

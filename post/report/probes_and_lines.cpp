@@ -16,6 +16,15 @@
 
 namespace post {
 
+std::vector<plate::PlaceShare> place_in_frames(const plate::Formulation& plate, const geometry::Point& at) {
+  const auto& [units, positions, areas, plate_points, part] = plate.cloud();
+  auto result = plate.interpolation(at);
+  const auto beyond = [&](const plate::PlaceShare& share) { return share.point >= plate_points; };
+  if (std::ranges::none_of(result, beyond)) return result;
+  return plate::visible_place(at, units, plate.boundary().lattice, plate_points,
+                              geometry::to_lattice(plate.paths(), units));
+}
+
 std::vector<ProbeValue> values_at(const std::vector<Probe>& probes, const Frame& frame,
                                   const plate::Formulation& plate) {
   const auto& boundary = plate.boundary();
@@ -113,7 +122,7 @@ SampledLine sampled_line(const std::string& name, const geometry::Point& from, c
     for (int n = a == last ? 1 : 0; n <= count; ++n) {
       const double t = a + (b - a) * n / count;
       const geometry::Point x = from + t * way;
-      result.places.push_back({name, x, plate.here(x) ? plate.interpolation(x) : std::vector<plate::PlaceShare>{}});
+      result.places.push_back({name, x, plate.here(x) ? place_in_frames(plate, x) : std::vector<plate::PlaceShare>{}});
       result.along.push_back(t * way.norm()), result.joined.push_back(n > 0);
     }
     last = b;

@@ -15,6 +15,10 @@ namespace post {
 
 struct Frame;
 
+/// Interpolation at a place by points of the plate alone, whose states and moments a frame has: without surface nodes.
+/// @throws plate::Refused  no points about the place
+std::vector<plate::PlaceShare> place_in_frames(const plate::Formulation& plate, const geometry::Point& at);
+
 /// Deflection, rotations, moments, forces, von Mises stress and the principal stresses of both faces (sigma1 >= sigma2,
 /// angle of sigma1 from x in degrees) of a frame of the plate at probes, with u, v and membrane forces where loads act
 /// in the plane. Of bonds that several processes share displacements alone: what ghosts

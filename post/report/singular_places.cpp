@@ -13,6 +13,7 @@
 #include "plate/model/problem.hpp"
 #include "plate/model/problem_validation.hpp"
 #include "post/files/frame.hpp"
+#include "post/report/probes_and_lines.hpp"
 
 namespace post {
 namespace {
@@ -106,7 +107,7 @@ StressAround::StressAround(const plate::Formulation& plate, double distance) : d
       const auto near = [&](const SingularPlace& other) { return (x - other.position).norm() < within * distance; };
       if (!plate::on_plate(plate.problem().outline, x) || std::ranges::any_of(places, near)) continue;
       try {
-        around.circle.push_back({place.name, x, plate.interpolation(x)});
+        around.circle.push_back({place.name, x, place_in_frames(plate, x)});
       } catch (const plate::Refused&) {  // no points about it: the others tell
         continue;
       }

@@ -1,8 +1,11 @@
 #include "post/report/probes_and_lines.hpp"
 
 #include "cases/input/case_file.hpp"
+#include "geometry/lattice/cloud.hpp"
+#include "plate/formulation/boundary.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/interpolation.hpp"
 #include "plate/model/problem.hpp"
 #include "post/files/table.hpp"
 #include "tests/catch.hpp"
@@ -33,4 +36,29 @@ TEST_CASE("lines: pieces within the plate, and integrals over them without what 
   post::add_rows(table, 2, line, values);
   CHECK(table.rows.size() == line.places.size());
   CHECK(std::get<double>(table.rows.front()[table.column("Qy")]) == -4);
+}
+
+TEST_CASE("places in frames: by points of the plate alone, exact for linear fields, also at edges") {
+  const auto plate =
+      plate::discretise(case_text::read(case_text::plain,
+                                        {"geometry.cracks=[]", "discretization.formulation=ordinary",
+                                         "discretization.boundary=surface_nodes", "discretization.spacing=0.125",
+                                         "support=[{ kind = 'clamped', edges = ['left', 'right', 'bottom', 'top'] }]"})
+                            .content)
+          .plate;
+  const auto points = plate->cloud().plate_points;
+  REQUIRE(plate->points() > points);
+  const auto beyond = [&](const plate::PlaceShare& share) { return share.point >= points; };
+  for (const auto& at : {geometry::Point(1, 0.3), geometry::Point(0.97, -0.4), geometry::Point(0.1, 0.2)}) {
+    const auto shares = post::place_in_frames(*plate, at);
+    CHECK(std::ranges::none_of(shares, beyond));
+    double sum = 0, along = 0;
+    for (const auto& share : shares) {
+      sum += share.weight;
+      along += share.weight * plate->cloud().positions[share.point].x();
+    }
+    CHECK(sum == Approx(1));
+    CHECK(along == Approx(at.x()));
+  }
+  CHECK(std::ranges::any_of(plate->interpolation({1, 0.3}), beyond));
 }
