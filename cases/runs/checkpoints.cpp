@@ -36,7 +36,9 @@ geometry::Cell cell_of(const plate::Boundary& boundary, std::uint32_t k) {
 class PointsByCells {
 public:
   explicit PointsByCells(const plate::Boundary& boundary) : boundary_(boundary) {
-    if (!saves_all(boundary) && boundary.map.global.empty()) index_.emplace(boundary.lattice);
+    const auto end = boundary.lattice.begin() + std::ptrdiff_t(boundary.cloud.plate_points);
+    if (!saves_all(boundary) && boundary.map.global.empty())
+      index_.emplace(std::vector<geometry::Point>(boundary.lattice.begin(), end));
   }
   /// Local index of the point; nothing where this rank does not save it.
   std::optional<std::uint32_t> at(const geometry::Cell& cell) const {

@@ -98,7 +98,8 @@ std::vector<Copy> numbered(const Communicator& all, const PartOfLattice& part, c
     const auto owner = std::size_t(part.partition.owner(cell));
     of_owner[owner].push_back(k), asked[owner].push_back(cell);
   }
-  const geometry::CellIndex index(boundary.lattice);
+  const auto end = boundary.lattice.begin() + std::ptrdiff_t(boundary.cloud.plate_points);
+  const geometry::CellIndex index({boundary.lattice.begin(), end});  // images within bodies share their cells
   return indices_at_owners(all, of_owner, asked, [&](const Cell& cell) {
     return index.at(geometry::Point(double(cell[0]) + 0.5, double(cell[1]) + 0.5)).value();
   });

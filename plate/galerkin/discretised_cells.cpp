@@ -114,8 +114,8 @@ std::variant<GlobalCells, Refusal> possible_cells(const Problem& c, const std::v
   const auto& d = c.discretization;
   const double spacing = factor * d.spacing;
   try {  // constructors of geometry throw where cells are impossible
-    if (!distributed || d.tip_spacing || d.hole_spacing || !parted_bodies(c, paths, spacing).empty())
-      return GlobalCells(cells_of(c, paths, factor));
+    const bool bodies = std::ranges::any_of(c.supports, is_body);  // coarser cells, too, where they part none
+    if (!distributed || d.tip_spacing || d.hole_spacing || bodies) return GlobalCells(cells_of(c, paths, factor));
     return GlobalCells(geometry::GlobalLattice(c.outline, paths, spacing, own_places(c, paths, spacing)));
   } catch (const std::invalid_argument& error) {
     return Refusal{Subject::geometry, 0, error.what()};

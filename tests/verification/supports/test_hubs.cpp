@@ -228,9 +228,10 @@ TEST_CASE("a disc on the plate carries what a hub in a hole does") {
   for (const double degrees : {0.0, 27.0}) {
     check_eccentric(galerkin, false, "all", degrees, 0.02, {0.005, 0.005, 0.005, 0.005});
     check_eccentric(galerkin, false, "patch", degrees, 0.02, {0.005, 0.005, 0.005, 0.005});
-    // measured: deflection 0.4, 0.5 %, force 0.5, 0.7 %, moment 1.7, 0.6 %, turn 2.2, 1.2 %
-    check_eccentric(ordinary, false, "all", degrees, 0.02, {0.005, 0.005, 0.02, 0.025});
-    check_eccentric(ordinary, false, "patch", degrees, 0.02, {0.006, 0.008, 0.01, 0.015});
+    // measured: deflection 0.72, 0.72 %, the clamped plate itself; force 0.16, 0.15, moment 0.79, 0.45, turn 1.05, 0.66
+    // %
+    check_eccentric(ordinary, false, "all", degrees, 0.02, {0.008, 0.003, 0.01, 0.013});
+    check_eccentric(ordinary, false, "patch", degrees, 0.02, {0.008, 0.003, 0.006, 0.009});
   }
 }
 

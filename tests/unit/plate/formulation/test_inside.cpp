@@ -5,6 +5,8 @@
 #include "plate/bonds/ordinary_plate.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
+#include "plate/formulation/mechanisms.hpp"
+#include "plate/formulation/pieces.hpp"
 #include "plate/formulations.hpp"
 #include "plate/galerkin/galerkin_plate.hpp"
 #include "tests/catch.hpp"
@@ -53,7 +55,7 @@ TEST_CASE("a line holds what lies on it of every linear field, a part all of its
 
 TEST_CASE("a clamped part along an edge is a clamped edge") {
   for (const auto* kind : formulations()) {
-    auto c = vp::free_plate(geometry::rectangle(0.2, 0, 1, 1), 0.1);
+    auto c = vp::free_plate(geometry::rectangle(0.2, 0, 1, 1), 0.05);
     c.discretization.formulation = kind;
     c.supports = {vp::held(SupportKind::clamped, {"left"})};
     c.loads = {Load{Pressure{.gradient = {1, 0.5}}}};
@@ -115,5 +117,37 @@ TEST_CASE("a part of the plate that only some processes see is held by these, an
     });
     CHECK(all == whole);
     CHECK(least == 0);
+  }
+}
+
+TEST_CASE("a clamped part across processes has the energy and the pieces that it has on one") {
+  for (const auto* kind : {&ordinary, &galerkin}) {
+    auto problem = parts::problem_of(geometry::rectangle(0, 0, 2.5, 1), {}, {parts::pressure(1)});
+    problem.discretization.formulation = kind;
+    problem.supports = {{SupportKind::clamped, {}, {}, {}, geometry::Circle{{1.2, 0.5}, 0.25, ""}}};
+    const auto alone = discretise(problem, single_process()).plate;
+    State state = zero_state(alone->points());
+    const auto set = [](const Formulation& plate, State& values) {
+      for (std::size_t k = 0; k < plate.points(); ++k) {
+        const Point& x = plate.cloud().positions[k];
+        values.col(Eigen::Index(k)) =
+            PointValues(std::sin(3 * x.x()) + x.y() * x.y(), x.x() * x.y(), std::cos(2 * x.y()));
+      }
+      plate.constraints().impose(values);
+    };
+    set(*alone, state);
+    const double energy = alone->strain_energy(state);
+    CAPTURE(kind->name, alone->pieces().size());
+    std::mutex one_by_one;
+    thread_ranks::run(4, [&](const Communicator& communicator) {
+      const auto plate = discretise(problem, communicator).plate;
+      State own = zero_state(plate->points());
+      set(*plate, own);
+      const double shared = plate->strain_energy(own);
+      const std::lock_guard guard(one_by_one);
+      CHECK(shared == Approx(energy).epsilon(1e-10));
+      CHECK(plate->pieces().size() == alone->pieces().size());
+      CHECK(plate->mechanisms().searched);
+    });
   }
 }

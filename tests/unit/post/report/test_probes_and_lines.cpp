@@ -42,7 +42,7 @@ TEST_CASE("places in frames: by points of the plate alone, exact for linear fiel
   const auto plate =
       plate::discretise(case_text::read(case_text::plain,
                                         {"geometry.cracks=[]", "discretization.formulation=ordinary",
-                                         "discretization.boundary=surface_nodes", "discretization.spacing=0.125",
+                                         "discretization.boundary=surface_nodes", "discretization.spacing=0.1",
                                          "support=[{ kind = 'clamped', edges = ['left', 'right', 'bottom', 'top'] }]"})
                             .content)
           .plate;
