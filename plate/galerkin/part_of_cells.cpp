@@ -114,6 +114,7 @@ CellsWithOverlap cells_with_overlap(const Communicator& all, const Problem& prob
 }
 
 Tessellation about_first_inside(const GlobalCells& whole) {
+  if (const auto* all = std::get_if<Tessellation>(&whole)) return all->graded ? Tessellation() : *all;
   const auto* lattice = std::get_if<GlobalLattice>(&whole);
   const auto first = lattice ? lattice->first_inside() : std::nullopt;
   if (!first) return {};
