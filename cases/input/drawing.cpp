@@ -201,7 +201,7 @@ std::vector<Chain> loops(const std::vector<DrawnPiece>& all, const std::set<std:
     if (of.contains(piece.layer)) pieces.push_back(piece);
   Joiner joiner(std::move(pieces), join);
   const auto errors = joiner.errors();
-  for (const auto& fault : errors) problems.push_back(fmt::format("layer {} {}", layer, fault));
+  for (const auto& error : errors) problems.push_back(fmt::format("layer {} {}", layer, error));
   auto result = errors.empty() ? joiner.chains() : std::vector<Chain>();
   for (auto& loop : result) turn_counter_clockwise(loop), begin_lowest(loop, join);
   return result;

@@ -92,6 +92,7 @@ Factor Factor::of_any_sign(const Eigen::SparseMatrix<double>& lower) {
 
 Factor::Factor(const Eigen::SparseMatrix<double>& lower, double shift, bool positive)
     : handle_(std::make_unique<Handle>(positive)) {
+  if (lower.rows() == 0) return;  // supports hold the whole plate
   auto& h = *handle_;
   const OneThread one_thread;
   Eigen::SparseMatrix<double> shifted;
@@ -122,6 +123,7 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
     return result;
   }
   auto& h = *handle_;
+  if (!h.factor) return right;
   const OneThread one_thread;
   cholmod_dense b{};
   b.nrow = b.d = std::size_t(right.rows()), b.ncol = std::size_t(right.cols()), b.nzmax = b.nrow * b.ncol;
@@ -134,6 +136,7 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& right) const {
 
 std::size_t Factor::negative() const {
   if (shared_) return shared_->negative();
+  if (!handle_->factor) return 0;
   const auto& factor = *handle_->factor;
   if (factor.is_super || factor.is_ll) return 0;
   const auto *first = static_cast<const int*>(factor.p), *end = first + factor.n;
@@ -142,7 +145,7 @@ std::size_t Factor::negative() const {
 }
 
 std::size_t Factor::bytes() const {
-  if (shared_) return 0;  // the libraries do not say
+  if (shared_ || !handle_->factor) return 0;  // the libraries of ranks do not say
   const auto& factor = *handle_->factor;
   if (!factor.is_super) return factor.nzmax * (sizeof(double) + sizeof(int));
   return factor.xsize * sizeof(double) + factor.ssize * sizeof(int);

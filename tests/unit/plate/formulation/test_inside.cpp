@@ -76,6 +76,21 @@ TEST_CASE("a clamped part along an edge is a clamped edge") {
   }
 }
 
+TEST_CASE("a part over the whole plate carries all of its load") {
+  for (const auto* kind : {&ordinary, &galerkin}) {
+    auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
+    c.discretization.formulation = kind;
+    c.supports = {{SupportKind::clamped, {}, {}, {}, geometry::Circle{{0.5, 0.5}, 2, ""}}};
+    c.loads = {Load{Pressure{.value = 1}}};
+    const auto plate = vp::assembled(c);
+    const auto found =
+        solve_static(*plate, plate->total_load(), StaticMethod::direct, Preconditioning::automatic, {1e-10, 1000, {}});
+    CHECK(found.solution.converged);
+    CHECK(found.solution.state.cwiseAbs().maxCoeff() == 0);
+    CHECK(plate->constraints().on_held(plate->total_load()).size() == 3 * Eigen::Index(plate->points()));
+  }
+}
+
 TEST_CASE("a part between the points of bonds is refused") {
   auto c = vp::free_plate(geometry::rectangle(0, 0, 1, 1), 0.1);
   c.supports = {{SupportKind::clamped, {}, {}, {}, geometry::Circle{{0.5, 0.5}, 0.03, ""}}};

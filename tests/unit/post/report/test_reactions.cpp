@@ -238,7 +238,7 @@ void check_pieces(const std::vector<std::string>& settings, const std::string& f
     if (one.plate->boundary().holders[i].place != plate::Holder::Place::edge) continue;
     const auto [sum, own] = sum_along(rows.edges(), found.supports[i].name, one.plate->boundary());
     const auto& expected = found.balance.supports[i];
-    CHECK(std::abs(sum.force - expected.force) < 1e-10 * size);  // measured: below 1e-13
+    CHECK(std::abs(sum.force - expected.force) < 1e-10 * size);
     CHECK(std::abs(sum.moment_x - expected.moment_x) < 1e-10 * size);
     CHECK(std::abs(sum.moment_y - expected.moment_y) < 1e-10 * size);
     all += sum.force, kirchhoff += own;
