@@ -1,7 +1,9 @@
 #include "geometry/lattice/cloud.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -121,13 +123,59 @@ private:
   std::vector<char> marks_;
 };
 
+Point centre_of(long column, long row) {
+  return {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+}
+
+/// The cells beside (column, row) that have a point and the largest area, along the axes or else across a corner.
+std::vector<Cell> largest_beside(const Outline& outline, long column, long row) {
+  constexpr double alike = 1e-9;
+  for (const auto& ways : {std::array<Cell, 4>{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}},
+                           std::array<Cell, 4>{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}}}) {
+    std::vector<Cell> result;
+    double most = 0;
+    for (const auto& [x, y] : ways) {
+      const Point centre = centre_of(column + x, row + y);
+      const double area = contains(outline, centre) ? clipped_cell_area(outline, centre, 1) : 0;
+      if (area > most + alike) result.clear(), most = area;
+      if (area > 0 && area >= most - alike) result.push_back({column + x, row + y});
+    }
+    if (!result.empty()) return result;
+  }
+  return {};
+}
+
+/// Adds the areas in the plate of cells that have no point, as their centres lie outside, to the cells beside them.
+/// Without them plates with oblique edges had 1.2 to 1.9 % less mass and load at 40 spacings a side.
+void add_remnants(const Outline& outline, const Grid& grid, Cloud& cloud) {
+  const double unit = cloud.units.spacing * cloud.units.spacing;
+  std::map<Cell, double> more;
+  const auto [low, high] = grid.box();
+  for (long row = low[1]; row < high[1]; ++row)
+    for (long column = low[0]; column < high[0]; ++column) {
+      const Point centre = centre_of(column, row);
+      if (!grid.marked(column, row) || contains(outline, centre)) continue;
+      const double area = clipped_cell_area(outline, centre, 1);
+      if (area <= 0) continue;
+      const auto beside = largest_beside(outline, column, row);
+      for (const auto& cell : beside) more[cell] += unit * area / double(beside.size());
+    }
+  const auto row_first = [](const Cell& cell) { return std::pair(cell[1], cell[0]); };
+  const auto of_point = [&](const Point& x) { return row_first(cell_of(cloud.units.to_lattice(x))); };
+  for (const auto& [cell, area] : more) {
+    const auto at = std::ranges::lower_bound(cloud.positions, row_first(cell), {}, of_point);
+    if (at != cloud.positions.end() && of_point(*at) == row_first(cell))
+      cloud.areas[std::size_t(at - cloud.positions.begin())] += area;
+  }
+}
+
 /// Adds the cells of one row. Neighbouring cells without a mark lie on the same side of the boundary.
-void add_row(const Outline& outline, const Grid& grid, long row, Cloud& cloud) {
+void add_row(const Outline& outline, const Grid& grid, const CellBox& part, long row, Cloud& cloud) {
   const double unit = cloud.units.spacing * cloud.units.spacing;
   bool inside = false;
-  const auto [low, high] = grid.box();
+  const auto& [low, high] = part;
   for (long column = low[0]; column < high[0]; ++column) {
-    const Point centre(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+    const Point centre = centre_of(column, row);
     const bool marked = grid.marked(column, row);
     if (marked || column == low[0] || grid.marked(column - 1, row)) inside = contains(outline, centre);
     if (!inside) continue;
@@ -143,8 +191,10 @@ Cloud lattice(const Outline& outline, double spacing, const std::optional<CellBo
   Cloud cloud;
   cloud.units = {bounding_box(outline).first, spacing};
   const Outline in_cells = to_lattice(outline, cloud.units);
-  const Grid grid(in_cells, part);
-  for (long row = grid.box().low[1]; row < grid.box().high[1]; ++row) add_row(in_cells, grid, row, cloud);
+  const Grid grid(in_cells, part ? std::optional(part->grown(1)) : std::nullopt);
+  const auto box = part ? common(*part, grid.box()) : grid.box();
+  for (long row = box.low[1]; row < box.high[1]; ++row) add_row(in_cells, grid, box, row, cloud);
+  add_remnants(in_cells, grid, cloud);
   cloud.plate_points = cloud.positions.size();
   cloud.part = part;
   if (cloud.plate_points > 0 || part) return cloud;

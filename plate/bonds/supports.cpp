@@ -170,7 +170,7 @@ void Builder::tie_clamped(std::uint32_t leader, double depth, double inside, con
 /// Clamped lines off the lattice act as if they lay this far out [spacings]: images are taken about a line that far in.
 /// Measured at 10 to 45 degrees, horizon ratios 2 to 5, nu 0 to 0.45, thicknesses of 1 to 20 spacings
 /// (tests/verification, "General images").
-constexpr double line_further_in = 0.07;
+constexpr double line_further_in = 0.03;
 
 /// Ties the last point u, at `depth` beyond a clamped side, to its mirror position or, where that lies less than a
 /// quarter of a spacing inside, or the four points around it are not all of the plate, to the next place further in.
