@@ -53,7 +53,7 @@ std::vector<CrackPath> to_lattice(const std::vector<CrackPath>& paths, const Lat
 struct Cloud {
   LatticeUnits units;
   std::vector<Point> positions;      // [length], plate points first
-  std::vector<double> areas;         // [length^2], the part of each point's cell that lies in the plate
+  std::vector<double> areas;         // [length^2] in the plate, with that of cells beside that have no point
   std::size_t plate_points = 0;      // the rest are fictitious
   std::optional<CellBox> part = {};  // what was discretised; absent: all
 
@@ -118,7 +118,7 @@ private:
 };
 
 /// The square lattice of cell centres inside the outline, row by row from the lower left, with the area of each cell
-/// that lies in the plate. The lower left corner of the outline's bounding box is the corner of a cell.
+/// and of those beside it without a point that lies in the plate. The lower left corner of its box is that of a cell.
 /// `part`: of these cells only, in the same order; there may be none.
 /// Throws std::invalid_argument where no cell centre lies inside the outline.
 Cloud lattice(const Outline& outline, double spacing, const std::optional<CellBox>& part = {});

@@ -103,6 +103,7 @@ private:
   void lead_clamped(std::array<SupportOffsets::Leaders, unknowns_per_point>& leaders, std::uint32_t k, double share,
                     double depth, double inside, const Point& out, const Point& away) const;
   void tie_clamped(std::uint32_t leader, double depth, double inside, const Side& side);
+  std::vector<std::pair<std::uint32_t, double>> shares_around(const Side& side, const Point& x) const;
   bool tie_clamped_between(const Point& u, double depth, const Side& side);
   void tie_without_bonds(std::uint32_t leader, double depth, const Side& side);
   bool within(const Side& side, const Point& u) const;
@@ -168,30 +169,54 @@ void Builder::tie_clamped(std::uint32_t leader, double depth, double inside, con
 }
 
 /// Clamped lines off the lattice act as if they lay this far out [spacings]: images are taken about a line that far in.
-/// Measured at 10 to 45 degrees, horizon ratios 2 to 5, nu 0 to 0.45, thicknesses of 1 to 20 spacings
-/// (tests/verification, "General images").
-constexpr double line_further_in = 0.03;
+/// Points beside a rim have whole cells, those beside an edge what lies in the plate. Measured at 10 to 45 degrees,
+/// horizon ratios 2 to 5, nu 0 to 0.45, thicknesses of 1 to 20 spacings (tests/verification, "General images").
+double line_further_in(const Side& side) {
+  return side.support ? 0.05 : 0.02;
+}
+
+/// Points of the plate around a place, on this side of a line, whose values give that at the place by their shares:
+/// bilinear of four, linear of three where the plate does not have the fourth. Empty where it has fewer.
+std::vector<std::pair<std::uint32_t, double>> Builder::shares_around(const Side& side, const Point& x) const {
+  constexpr double nothing = 1e-9;
+  const Point low(std::floor(x.x() - 0.5) + 0.5, std::floor(x.y() - 0.5) + 0.5);
+  std::vector<std::pair<std::uint32_t, double>> result;
+  std::optional<Point> missing;
+  for (int corner = 0; corner < 4; ++corner) {
+    const Point cell = low + Point(corner % 2, corner / 2), d = (x - cell).cwiseAbs();
+    const double share = (1 - d.x()) * (1 - d.y());
+    if (share < nothing) continue;
+    const auto k = cells_.at(cell);
+    if (k && alone(*k) && side.inside(b_.lattice[*k]) > 0)
+      result.emplace_back(*k, share);
+    else if (missing)
+      return {};
+    else
+      missing = cell;
+  }
+  if (!missing) return result;
+  const Point opposite = 2 * low + Point(1, 1) - *missing, d = (x - opposite).cwiseAbs();
+  if (d.x() + d.y() > 1) return {};
+  for (auto& [k, share] : result) {
+    const Point from = (b_.lattice[k] - opposite).cwiseAbs();
+    share = from.x() + from.y() < 0.5 ? 1 - d.x() - d.y() : from.dot(d);
+  }
+  return result;
+}
 
 /// Ties the last point u, at `depth` beyond a clamped side, to its mirror position or, where that lies less than a
-/// quarter of a spacing inside, or the four points around it are not all of the plate, to the next place further in.
-/// Between the four points w and rotations are bilinear. Returns false where there is no such place within 1.5
-/// spacings.
+/// quarter of a spacing inside or has no points of the plate around it, to the next place further in. Returns false
+/// where there is none within 1.5 spacings.
 bool Builder::tie_clamped_between(const Point& u, double depth, const Side& side) {
   constexpr double least = 0.25, step = 0.125, further = 1.5;  // spacings
   const Point out = side.outward(u), foot = u - depth * out;
+  const double further_in = line_further_in(side);
   for (double inside = std::max(depth, least); inside <= depth + further; inside += step) {
-    const Point x = foot - inside * out, low(std::floor(x.x() - 0.5) + 0.5, std::floor(x.y() - 0.5) + 0.5);
+    const Point x = foot - inside * out;
     std::array<SupportOffsets::Leaders, unknowns_per_point> leaders;
-    bool all = true;
-    for (int corner = 0; all && corner < 4; ++corner) {
-      const Point cell = low + Point(corner % 2, corner / 2), d = x - cell;
-      const double share = (1 - std::abs(d.x())) * (1 - std::abs(d.y()));
-      if (share < 1e-9) continue;
-      const auto k = cells_.at(cell);
-      all = k && alone(*k) && side.inside(b_.lattice[*k]) > 0;
-      if (all) lead_clamped(leaders, *k, share, depth + line_further_in, inside - line_further_in, out, spacing_ * d);
-    }
-    if (!all) continue;
+    for (const auto& [k, share] : shares_around(side, x))
+      lead_clamped(leaders, k, share, depth + further_in, inside - further_in, out, spacing_ * (x - b_.lattice[k]));
+    if (leaders[0].empty()) continue;
     for (std::uint32_t c = 0; c < unknowns_per_point; ++c) tie(dof(last(), c), side, leaders[c]);
     return true;
   }
@@ -295,7 +320,8 @@ void Builder::outside_cell(const Point& u, int s) {
   }
   if (!has_images(side)) return tie_without_bonds(*leader, depth, side);
   if (clamps(side.kind)) {
-    tie_clamped(*leader, depth + line_further_in, side.inside(b_.lattice[*leader]) - line_further_in, side);
+    const double further_in = line_further_in(side);
+    tie_clamped(*leader, depth + further_in, side.inside(b_.lattice[*leader]) - further_in, side);
     return;
   }
   const auto signs = parity(side.kind, side.normal_axis());

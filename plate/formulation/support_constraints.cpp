@@ -125,7 +125,23 @@ void add_places(const geometry::Polyline& line, double spacing, std::vector<Poin
   }
 }
 
-/// The boundary of a part; circles by chords of a spacing, corners of polygons kept.
+/// Ring without edges shorter than `least` [length], the ends of which become one place, of the shortest first.
+geometry::Polyline without_short_edges(geometry::Polyline ring, double least) {
+  while (ring.size() > 3) {
+    std::size_t shortest = 0;
+    const auto next = [&](std::size_t i) { return (i + 1) % ring.size(); };
+    const auto length = [&](std::size_t i) { return (ring[next(i)] - ring[i]).norm(); };
+    for (std::size_t i = 1; i < ring.size(); ++i)
+      if (length(i) < length(shortest)) shortest = i;
+    if (length(shortest) >= least) break;
+    ring[shortest] = (ring[shortest] + ring[next(shortest)]) / 2;
+    ring.erase(ring.begin() + std::ptrdiff_t(next(shortest)));
+  }
+  return ring;
+}
+
+/// The boundary of a part; circles by chords of a spacing, corners of polygons kept but where they are closer together
+/// than half of that.
 geometry::Polyline around(const geometry::Hole& shape, double spacing) {
   geometry::Polyline ring;
   if (const auto* circle = std::get_if<geometry::Circle>(&shape)) {
@@ -134,7 +150,7 @@ geometry::Polyline around(const geometry::Hole& shape, double spacing) {
     for (int n = 0; n < parts; ++n)
       ring.push_back(circle->centre + circle->radius * Point(std::cos(full * n / parts), std::sin(full * n / parts)));
   } else {
-    ring = geometry::Patch(shape).ring();
+    ring = without_short_edges(geometry::Patch(shape).ring(), spacing / 2);
   }
   ring.push_back(ring.front());
   return ring;
@@ -318,17 +334,14 @@ bool clear_of_boundary(const geometry::CrackPath& path, const geometry::Outline&
   });
 }
 
-/// True where a body is as wide as two points and has no edge shorter than half of `spacing`.
+/// True where a body is as wide as two points.
 bool resolved(const geometry::Hole& shape, double spacing) {
   if (const auto* circle = std::get_if<geometry::Circle>(&shape)) return circle->radius >= spacing;
   const auto ring = around(shape, spacing);
-  double round = 0, shortest = INFINITY;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-    const double length = (ring[i + 1] - ring[i]).norm();
-    round += length, shortest = std::min(shortest, length);
-  }
-  const double area = std::abs(geometry::moments(geometry::Patch(shape).ring(), ring.front()).area);
-  return 2 * area >= spacing * round && shortest >= spacing / 2;
+  double round = 0;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) round += (ring[i + 1] - ring[i]).norm();
+  const double area = std::abs(geometry::moments({ring.begin(), ring.end() - 1}, ring.front()).area);
+  return 2 * area >= spacing * round;
 }
 
 }  // namespace

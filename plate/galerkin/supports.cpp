@@ -128,21 +128,41 @@ void hold_places(Boundary& boundary, const SupportOffsets& moved) {
   }
 }
 
+/// Numbers of the points on the rim of the part that a support holds. Of circles and of polygons with short edges it
+/// lies beside the boundary of the part.
+std::set<std::uint32_t> points_of_rim(const geometry::Tessellation& cells, std::size_t support,
+                                      const geometry::Hole& part) {
+  const auto name = std::ranges::find(cells.names, PartedBody{support, part}.name()) - cells.names.begin();
+  std::set<std::uint32_t> result;
+  for (const auto& border : cells.borders)
+    if (border.edge != geometry::Curves::crack && border.edge == name) result.insert({border.from, border.to});
+  return result;
+}
+
+void hold_rims(Boundary& boundary, const geometry::Tessellation& cells, const std::vector<Support>& supports,
+               const SupportOffsets& moved) {
+  for (std::uint32_t by = 0; by < boundary.holders.size(); ++by) {
+    const auto& holder = boundary.holders[by];
+    const auto& support = supports[holder.support];
+    if (holder.place != Holder::Place::inside || holder.kind != SupportKind::clamped || !support.patch) continue;
+    auto points = points_of_rim(cells, holder.support, *support.patch);
+    for (const auto k : points_on(*support.patch, boundary.cloud)) points.erase(k);  // held as those within
+    for (const auto k : points) hold_point(boundary, k, by, moved);
+  }
+}
+
 /// Ties the points at each place of the rims of bodies that nothing holds as bodies here, as in the plane of a part
 /// that is clamped across it alone: the plate goes on there.
 void join_rims(Boundary& boundary, const geometry::Tessellation& cells, const std::vector<Support>& supports) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     if (!supports[i].patch || is_body(supports[i])) continue;
-    const auto name = std::ranges::find(cells.names, PartedBody{i, *supports[i].patch}.name());
     std::map<std::pair<double, double>, std::uint32_t> first;
-    for (const auto& border : cells.borders)
-      if (border.edge != geometry::Curves::crack && border.edge == name - cells.names.begin())
-        for (const auto k : {border.from, border.to}) {
-          const auto& x = cells.positions[k];
-          const auto leader = first.try_emplace({x.x(), x.y()}, k).first->second;
-          for (std::uint32_t c = 0; leader != k && c < unknowns_per_point; ++c)
-            boundary.constraints.tie(dof(k, c), {{dof(leader, c), 1}});
-        }
+    for (const auto k : points_of_rim(cells, i, *supports[i].patch)) {
+      const auto& x = cells.positions[k];
+      const auto leader = first.try_emplace({x.x(), x.y()}, k).first->second;
+      for (std::uint32_t c = 0; leader != k && c < unknowns_per_point; ++c)
+        boundary.constraints.tie(dof(k, c), {{dof(leader, c), 1}});
+    }
   }
 }
 
@@ -187,6 +207,7 @@ Boundary galerkin_boundary(const geometry::Tessellation& cells, const std::vecto
   const SupportOffsets moved(result, motions);
   hold_places(result, moved);
   hold_inside(result, supports, moved);
+  hold_rims(result, cells, supports, moved);
   hold_hubs(result, hubs_of(supports, outline, cells), supports, law, moved);
   join_rims(result, cells, supports);
   for (std::uint32_t k = 0; law == PlateLaw::membrane && k < cells.positions.size(); ++k)

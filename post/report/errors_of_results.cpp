@@ -243,6 +243,21 @@ void set_errors_alike(const Alike& own, const Alike& other, const OtherResults& 
   if (own.membrane && other.membrane) set_errors_of_forces_in_plane(*own.membrane, *other.membrane, share);
 }
 
+/// Relative errors of modes are those of the modes below at least, and those of the modes above in the ratio of the
+/// frequencies, as errors of the second order grow with them: two values may agree by chance.
+void set_errors_of_frequencies(std::vector<Frequency>& own, const std::vector<Frequency>& other, double share) {
+  const std::size_t count = std::min(own.size(), other.size());
+  std::vector<double> relative(count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+    if (const double f = own[i].frequency; f > 0) {
+      const double apart = share * std::abs(f - other[i].frequency) / f;
+      for (std::size_t j = 0; j < count; ++j)
+        relative[j] = std::max(relative[j], apart * std::min(1.0, own[j].frequency / f));
+    }
+  for (std::size_t i = 0; i < count; ++i)
+    own[i].error = std::max(own[i].error.value_or(0), relative[i] * own[i].frequency);
+}
+
 }  // namespace
 
 double error_of_soft_edges(const plate::Problem& problem) {
@@ -273,13 +288,7 @@ void set_errors(Summary& summary, const OtherResults& other, const PlateSizes& s
     auto &own = summary.load_cases[i], &that = there.load_cases[i];
     set_errors_alike(alike(own, own.strain_energy), alike(that, that.strain_energy), other, sizes);
   }
-  double relative = 0;
-  for (std::size_t i = 0; i < std::min(summary.frequencies.size(), there.frequencies.size()); ++i) {
-    auto& one = summary.frequencies[i];
-    const double apart = std::abs(one.frequency - there.frequencies[i].frequency);
-    if (one.frequency > 0) relative = std::max(relative, other.share * apart / one.frequency);
-    one.error = std::max(one.error.value_or(0), relative * one.frequency);
-  }
+  set_errors_of_frequencies(summary.frequencies, there.frequencies, other.share);
 }
 
 }  // namespace post

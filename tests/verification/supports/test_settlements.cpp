@@ -306,8 +306,8 @@ TEST_CASE("a rigid disc that is pushed into a clamped round plate") {
       CHECK(found.imbalance() < 1e-6);
     }
     CAPTURE(kind->name, errors);
-    // bonds: +1.5, +0.96 %, as the polygon is clamped off the lattice; Galerkin plate: -1.05, -0.20 %
-    CHECK(std::abs(errors[1]) < (kind->offers(Feature::horizon) ? 0.013 : 0.003));
+    // bonds: +1.4, +0.91 %, as the polygon is clamped off the lattice; Galerkin plate: -1.05, -0.20 %
+    CHECK(std::abs(errors[1]) < (kind->offers(Feature::horizon) ? 0.011 : 0.003));
     CHECK(std::abs(errors[1]) < std::abs(errors[0]));
   }
 }

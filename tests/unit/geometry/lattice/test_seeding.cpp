@@ -66,7 +66,7 @@ TEST_CASE("lattice: the points of a test of every cell, with areas that add up t
       REQUIRE(cloud.areas[k] < (beside ? 2.5 * spacing * spacing : own * (1 + 1e-12)));
       ++k;
     }
-  CHECK(sum(cloud.areas) == Approx(area(plate)).epsilon(1e-12));
+  CHECK(sum(cloud.areas) == Approx(spacing * spacing * area(cells)).epsilon(1e-12));
   CHECK(k == cloud.size());
   CHECK(k > 1000);
 }

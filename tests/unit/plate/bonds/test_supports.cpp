@@ -146,7 +146,7 @@ TEST_CASE("an edge off the lattice is held by outside points that follow the pla
   const Boundary b = held({{SupportKind::clamped, {"top"}, {}}}, outline);
   CHECK(b.warnings.size() == 1);
   REQUIRE(b.fictitious.size() >= 3 * 8);
-  const double line = 6.75 - 0.07;
+  const double line = 6.75 - 0.02;
   for (std::uint32_t i = 56; i < b.lattice.size(); ++i) {
     CHECK(b.lattice[i].y() > 6.75);
     double straight = 0;  // w outside, of w = line - y inside
@@ -167,7 +167,7 @@ TEST_CASE("beyond a clamped side constant curvature and constant shear go on as 
   // the second outline puts the right edge within a cell: images are not mirror images there
   const auto outline = GENERATE(geometry::rectangle(0, 0, 8, 7), geometry::rectangle(0, 0, 7.8, 7));
   const double width = geometry::bounding_box(outline).second.x();
-  const double right = width < 8 ? width - 0.07 : width;  // such images are taken about a line 0.07 spacings further in
+  const double right = width < 8 ? width - 0.02 : width;  // such images are taken about a line 0.02 spacings further in
   for (const Named& n : {Named{"left", {0, 0}, {1, 0}}, Named{"right", {right, 0}, {-1, 0}},
                          Named{"bottom", {0, 0}, {0, 1}}, Named{"top", {0, 7}, {0, -1}}}) {
     INFO(n.side);
@@ -204,7 +204,7 @@ TEST_CASE("images beyond a clamped side in any direction go on with constant cur
   const Point inward = turn * Point(0, 1), along = turn * Point(1, 0);
   const double kappa = 0.3, gamma = 0.7;
   const auto exact = [&](const Point& x) {
-    const double d = side.inside(b.cloud.units.to_lattice(x)) - 0.07;
+    const double d = side.inside(b.cloud.units.to_lattice(x)) - 0.02;
     const Point psi = kappa * d * inward;
     return Eigen::Vector3d(kappa * d * d / 2 + gamma * d, psi.y(), -psi.x());
   };
