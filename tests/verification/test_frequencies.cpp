@@ -116,6 +116,7 @@ TEST_CASE("frequencies of bonds are the same in any direction") {
     const auto place = [&](const geometry::Point& x) -> geometry::Point { return turned * x; };
     auto c = vp::free_plate(geometry::placed(geometry::rectangle(-0.5, -0.5, 0.5, 0.5), place, 1), 0.025);
     c.discretization.formulation = &ordinary;
+    c.section.thickness = 0.05;
     c.supports = {vp::held_all_round(SupportKind::simply_supported)};
     const auto a = vp::assembled(c);
     return solved(c, *a, 1).modes.front().frequency;
