@@ -155,8 +155,16 @@ Json json_of(const ReactionSummary& reactions, bool rows) {
   json["residual"] = reactions.balance.residual;
   if (rows) json["largest_residual"] = reactions.largest_residual;
   if (reactions.truncation) json["truncation"] = *reactions.truncation;
-  for (const auto& [corner, x, force] : reactions.corners)
-    json["corner_forces"].push_back({{"corner", corner}, {"x", x.x()}, {"y", x.y()}, {"force", force}});
+  for (const auto& [edge, quantity, value, s, x, error] : reactions.edges) {
+    Json one{{"support", edge}, {"quantity", quantity}, {"value", value}, {"s", s}, {"x", x.x()}, {"y", x.y()}};
+    add(one, "estimated_error", error);
+    json["edge_reactions"].push_back(std::move(one));
+  }
+  for (const auto& [corner, x, force, error] : reactions.corners) {
+    Json one{{"corner", corner}, {"x", x.x()}, {"y", x.y()}, {"force", force}};
+    add(one, "estimated_error", error);
+    json["corner_forces"].push_back(std::move(one));
+  }
   return json;
 }
 

@@ -43,7 +43,16 @@ struct Balance {
 struct CornerForce {
   std::string corner;  // names of the edges that meet there
   geometry::Point position{0, 0};
-  double force = 0;  // along w
+  double force = 0;                  // along w
+  std::optional<double> error = {};  // estimated
+};
+
+/// The largest value along an edge of what a support does to the plate there.
+struct EdgePeak {
+  std::string edge, quantity;  // a column of edge_reactions.csv
+  double value = 0, s = 0;     // s along the edge [length]
+  geometry::Point position{0, 0};
+  std::optional<double> error = {};  // estimated
 };
 
 /// Reactions of edges and pins on the plate, and their balance with the loads.
@@ -66,7 +75,9 @@ struct ReactionSummary {
   std::vector<Wrench> errors = {};  // estimated, of every support, as it is written; empty: not known
   /// Estimated error of them by the truncation of Lanczos vectors, relative to the largest.
   std::optional<double> truncation = {};
-  std::vector<CornerForce> corners = {};  // of the last row, where reactions along edges are wanted
+  // of the last row, where reactions along edges are wanted
+  std::vector<EdgePeak> edges = {};
+  std::vector<CornerForce> corners = {};
 };
 
 /// A part of the program that a scene uses, and what it costs.

@@ -219,6 +219,24 @@ void set_errors_of_reactions(ReactionSummary& own, const ReactionSummary& other,
   }
 }
 
+/// The sizes of the largest values along edges, and the forces at corners: each quantity has one relative error, at
+/// least. Their sign is that of any of two places where the plate is symmetric. Beside corners they fall slower than
+/// other differences.
+void set_errors_along_edges(ReactionSummary& own, const ReactionSummary& other, double share, double least) {
+  constexpr double slower = 1.5;
+  std::map<std::string, Differences> groups;
+  const auto group = [&](const std::string& name) -> Differences& {
+    return groups.try_emplace(name, slower * share).first->second;
+  };
+  if (own.edges.size() != other.edges.size() || own.corners.size() != other.corners.size()) return;
+  for (std::size_t i = 0; i < own.edges.size(); ++i)
+    group(own.edges[i].quantity)
+        .add("", std::abs(own.edges[i].value), std::abs(other.edges[i].value), own.edges[i].error);
+  for (std::size_t i = 0; i < own.corners.size(); ++i)
+    group("corner").add("", own.corners[i].force, other.corners[i].force, own.corners[i].error);
+  for (const auto& [name, differences] : groups) differences.set(1, least);
+}
+
 void set_errors_of_forces_in_plane(MembraneSummary& own, const MembraneSummary& other, double share) {
   std::vector<std::array<std::optional<double>, 2>> errors(own.reactions.size());
   Differences all(share);
@@ -237,9 +255,11 @@ void set_errors_alike(const Alike& own, const Alike& other, const OtherResults& 
   const double of_bending = set_errors_of_displacements(own, other, by, sizes);
   const double share = by.share;
   set_errors_of_stress_near(own.stress_near, other.stress_near, by);
-  if (own.reactions && other.reactions)
-    set_errors_of_reactions(*own.reactions, *other.reactions, share, sizes.diameter,
-                            std::max(sizes.soft_edges, of_bending / 2));
+  if (own.reactions && other.reactions) {
+    const double least = std::max(sizes.soft_edges, of_bending / 2);
+    set_errors_of_reactions(*own.reactions, *other.reactions, share, sizes.diameter, least);
+    set_errors_along_edges(*own.reactions, *other.reactions, share, least);
+  }
   if (own.membrane && other.membrane) set_errors_of_forces_in_plane(*own.membrane, *other.membrane, share);
 }
 

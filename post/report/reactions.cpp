@@ -350,9 +350,31 @@ void ReactionRows::take_edges(double time, const EdgeReactions& found) {
     for (const auto& one : values)
       edges_.rows.push_back({time, edge, one.s, one.position.x(), one.position.y(), one.length, one.force, one.moment,
                              one.twist, one.kirchhoff_force});
-  for (const auto& [corner, x, force] : found.corners) corners_.rows.push_back({time, corner, x.x(), x.y(), force});
-  corner_forces_ = found.corners;
+  for (const auto& one : found.corners)
+    corners_.rows.push_back({time, one.corner, one.position.x(), one.position.y(), one.force});
+  along_edges_ = found;
 }
+
+namespace {
+
+/// The largest forces, moments and twists along each edge.
+std::vector<EdgePeak> largest_along(const std::vector<EdgeCurve>& curves) {
+  constexpr std::array<std::pair<const char*, double EdgeValue::*>, 3> quantities{
+      {{"kirchhoff_force", &EdgeValue::kirchhoff_force},
+       {"moment_per_length", &EdgeValue::moment},
+       {"twist_per_length", &EdgeValue::twist}}};
+  std::map<std::string, std::vector<EdgeValue>> edges;  // all sides of a name
+  for (const auto& [edge, values] : curves) edges[edge].insert(edges[edge].end(), values.begin(), values.end());
+  std::vector<EdgePeak> result;
+  for (const auto& [edge, values] : edges)
+    for (const auto& [quantity, of] : quantities) {
+      const auto& most = *std::ranges::max_element(values, {}, [&](const EdgeValue& one) { return std::abs(one.*of); });
+      result.push_back({edge, quantity, most.*of, most.s, most.position});
+    }
+  return result;
+}
+
+}  // namespace
 
 Table ReactionRows::table() const {
   Table table{{"time", "support", "x", "y", "force", "moment_x", "moment_y", "residual"}, {}};
@@ -387,7 +409,8 @@ std::optional<ReactionSummary> ReactionRows::summary() const {
   }
   for (const auto& [time, balance] : balances_)
     result.largest_residual = std::max(result.largest_residual, balance.residual);
-  result.truncation = truncation_, result.corners = corner_forces_;
+  result.truncation = truncation_;
+  result.edges = largest_along(along_edges_.curves), result.corners = along_edges_.corners;
   return result;
 }
 

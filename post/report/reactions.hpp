@@ -177,7 +177,7 @@ private:
   std::optional<double> truncation_;
   std::size_t pieces_ = 0;  // of every edge
   Table edges_, corners_;
-  std::vector<CornerForce> corner_forces_;  // of the last row
+  EdgeReactions along_edges_;  // of the last row
   // of one plate:
   const plate::Formulation* plate_ = nullptr;
   double rotary_ = 1, drag_ = 0;

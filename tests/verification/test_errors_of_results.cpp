@@ -45,7 +45,7 @@ post::Summary found(const std::string& plate, const std::string& formulation, co
   std::string text = section + plate + "[discretization]\nspacing = " + std::to_string(spacing) + "\nformulation = \"" +
                      formulation + "\"\n[analysis]\nkind = \"" + kind + "\"\n[output]\nfields = []\n" +
                      (errors ? "" : "errors = false\n") +
-                     (kind == "static" ? "probes = { a = [0.35, 0.3], b = [0.8, 0.55] }\n" : "");
+                     (kind == "static" ? "edge_reactions = 10\nprobes = { a = [0.35, 0.3], b = [0.8, 0.55] }\n" : "");
   if (kind == "frequencies") text.erase(text.find("[[load]]"), text.find("[discretization]") - text.find("[[load]]"));
   post::ResultsInMemory unused;
   return cases::run(cases::read_case_text(text, "plate", {}), {{}, true, &unused});
@@ -76,6 +76,23 @@ double largest(const std::vector<post::ProbeValue>& values, char first) {
   return result;
 }
 
+/// The sizes of the largest values along edges, and the forces at corners.
+void compare_along_edges(const post::ReactionSummary& own, const post::ReactionSummary& finer, Tally& tally) {
+  std::map<std::string, double> largest;
+  for (const auto& one : own.edges) {
+    auto& size = largest[one.quantity];
+    size = std::max(size, std::abs(one.value));
+  }
+  for (std::size_t i = 0; i < own.edges.size(); ++i) {
+    const auto& one = own.edges[i];
+    tally.add(one.edge + " " + one.quantity, std::abs(one.value), std::abs(finer.edges.at(i).value), one.error,
+              largest[one.quantity]);
+  }
+  for (std::size_t i = 0; i < own.corners.size(); ++i)
+    tally.add(own.corners[i].corner, own.corners[i].force, finer.corners.at(i).force, own.corners[i].error,
+              std::abs(own.corners[i].force));
+}
+
 void compare(const post::Summary& own, const post::Summary& finer, Tally& tally) {
   for (std::size_t i = 0; i < own.extremes.size(); ++i)
     tally.add("largest " + own.extremes[i].quantity, std::abs(own.extremes[i].value),
@@ -89,6 +106,7 @@ void compare(const post::Summary& own, const post::Summary& finer, Tally& tally)
     for (std::size_t i = 0; i < own.reactions->supports.size(); ++i)
       tally.add("force of " + own.reactions->supports[i].name, own.reactions->balance.supports[i].force,
                 finer.reactions->balance.supports.at(i).force, own.reactions->errors.at(i).force, 1);
+  if (own.reactions) compare_along_edges(*own.reactions, *finer.reactions, tally);
   for (std::size_t i = 0; i < own.frequencies.size(); ++i)
     tally.add("frequency", own.frequencies[i].frequency, finer.frequencies.at(i).frequency, own.frequencies[i].error,
               own.frequencies[i].frequency);

@@ -128,12 +128,21 @@ function edges_section() {
     .filter(([column, , , , beside]) => size(column) > 1e-6 * beside && size(column) > 0)
     .map(([column, title, label, quantity]) => plot({ title: `${title} along the edges${name}`, x: { label: "along the edge", quantity: "length" }, y: { label, quantity },
       lines: own.slice(0, most).map(([support, rows]) => ({ label: String(support), x: rows.map(i => edges.s[i]), y: rows.map(i => edges[column][i]) })) }));
-  const runs = load_cases ? of_cases(load_cases, (one, n) => [{ name: one.name, path: `load_cases[${n}].reactions.corner_forces`, all: one.reactions?.corner_forces ?? [] }])
-    : [{ path: "reactions.corner_forces", all: data.summary.reactions?.corner_forces ?? [] }];
+  const runs_of = name => (load_cases ? of_cases(load_cases, (one, n) => [{ name: one.name, path: `load_cases[${n}].reactions.${name}`, all: one.reactions?.[name] ?? [] }])
+    : [{ path: `reactions.${name}`, all: data.summary.reactions?.[name] ?? [] }]);
+  const case_column = load_cases ? [{ title: "case", left: true }] : [], runs = runs_of("corner_forces");
   const { factor, name: of_unit } = prefixed("force", runs.flatMap(run => run.all.map(one => one.force)));
-  const rows = runs.flatMap(run => run.all.map((one, i) => [...(load_cases ? [run.name] : []), one.corner, shown(one.x, 4), shown(one.y, 4), value(`${run.path}[${i}].force`, 4, null, factor)]));
-  const corners = rows.length === 0 ? null : table([...(load_cases ? [{ title: "case", left: true }] : []), { title: "corner", left: true }, { title: "x", unit: unit("length") }, { title: "y", unit: unit("length") }, { title: "force", unit: of_unit }], rows, { "data-table": "corner_forces" });
-  return section("Reactions along the edges", plots(drawn), corners,
+  const rows = runs.flatMap(run => run.all.map((one, i) => [...(load_cases ? [run.name] : []), one.corner, shown(one.x, 4), shown(one.y, 4), with_error(`${run.path}[${i}].force`, one.estimated_error, factor)]));
+  const corners = rows.length === 0 ? null : table([...case_column, { title: "corner", left: true }, { title: "x", unit: unit("length") }, { title: "y", unit: unit("length") }, { title: "force", unit: of_unit }], rows, { "data-table": "corner_forces" });
+  const symbols = { kirchhoff_force: ["V", "shear"], moment_per_length: ["Mnn", "Mxx"], twist_per_length: ["Mns", "Mxx"] };
+  const peaks = runs_of("edge_reactions").flatMap(run => run.all.flatMap((one, i) => {
+    const [symbol, quantity] = symbols[one.quantity];
+    return Math.abs(one.value) <= 1e-6 * largest(run.all.map(other => other.value)) ? []
+      : [[...(load_cases ? [run.name] : []), one.support, symbol, with_error(`${run.path}[${i}].value`, one.estimated_error), unit(quantity), shown(one.s, 4), shown(one.x, 4), shown(one.y, 4)]];
+  }));
+  const most_of = peaks.length === 0 ? null : table([...case_column, { title: "edge", left: true }, { title: "", left: true }, { title: "largest" }, { title: "", left: true },
+    { title: "s", unit: unit("length") }, { title: "x", unit: unit("length") }, { title: "y", unit: unit("length") }], peaks, { "data-table": "edge_reactions" });
+  return section("Reactions along the edges", plots(drawn), most_of, corners,
     note("On the plate, along w, per length; s runs with the plate on the left. The force has the twist as forces (Kirchhoff); what it leaves out next to corners is the force at the corner."));
 }
 

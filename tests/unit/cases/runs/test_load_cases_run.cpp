@@ -468,7 +468,16 @@ TEST_CASE("load cases: reactions along edges follow the loads, and are absent wh
   combined(edges, "force_per_length"), combined(edges, "kirchhoff_force"), combined(corners, "force");
   for (const auto& one : found.summary.load_cases) CHECK(one.reactions.value().corners.size() == 4);
   const auto json = nlohmann::json::parse(post::to_json(found.summary));
-  CHECK(json["load_cases"][0]["reactions"]["corner_forces"].size() == 4);
+  const auto& reactions = json["load_cases"][0]["reactions"];
+  CHECK(reactions["corner_forces"].size() == 4);
+  REQUIRE(reactions["edge_reactions"].size() == 3 * 3);  // edges, quantities
+  double most = 0;
+  for (std::size_t row = 0; row < 3 * 5; ++row)
+    if (edges.rows[row][edges.column("support")] == post::Cell("bottom"))
+      most = std::max(most, std::abs(number(edges.rows[row][edges.column("kirchhoff_force")])));
+  CHECK(reactions["edge_reactions"][0]["support"] == "bottom");
+  CHECK(reactions["edge_reactions"][0]["quantity"] == "kirchhoff_force");
+  CHECK(std::abs(reactions["edge_reactions"][0]["value"].get<double>()) == Approx(most));
   CHECK(std::ranges::none_of(found.summary.warnings, [](const auto& one) { return one.starts_with("corner forces"); }));
   const auto bonds = run(text, "ordinary", along);
   CHECK(std::ranges::count_if(bonds.summary.warnings,
