@@ -10,6 +10,7 @@
 #include "cases/input/formulations.hpp"
 #include "cases/input/keys.hpp"
 #include "cases/runs/distributed_run.hpp"
+#include "geometry/shape/patch.hpp"
 #include "plate/formulation/discretised.hpp"
 #include "plate/formulation/formulation.hpp"
 #include "plate/formulations.hpp"
@@ -23,6 +24,29 @@ namespace {
 
 using plate::EdgeMethod;
 
+/// The second half of a path.
+geometry::Polyline second_half(const geometry::Polyline& path) {
+  double rest = 0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) rest += (path[i + 1] - path[i]).norm() / 2;
+  std::size_t i = 0;
+  for (; i + 2 < path.size() && rest > (path[i + 1] - path[i]).norm(); ++i) rest -= (path[i + 1] - path[i]).norm();
+  geometry::Polyline result{path[i] + rest * (path[i + 1] - path[i]).normalized()};
+  result.insert(result.end(), path.begin() + std::ptrdiff_t(i + 1), path.end());
+  return result;
+}
+
+/// Lets a load that moves begin in the middle of its path: where it begins it may stand beside the plate.
+void begin_in_the_middle(plate::Load& load) {
+  if (!load.moves()) return;
+  const auto path = second_half(load.path());
+  const geometry::Point way = path.front() - load.path().front();
+  if (auto* force = std::get_if<plate::PointForce>(&load.action)) force->path = path, force->position += way;
+  if (auto* pressure = std::get_if<plate::Pressure>(&load.action)) {
+    pressure->path = path;
+    if (pressure->patch) *pressure->patch = geometry::moved(*pressure->patch, way);
+  }
+}
+
 CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const ReducedRun& reduced) {
   CaseFile result = file;
   Case& c = result.content;
@@ -32,6 +56,7 @@ CaseFile sample_of(const CaseFile& file, const plate::UsualSolver& solver, const
   c.analysis = sampled(c.analysis, solver, reduced, c.growth.has_value());
   for (auto& load : c.loads) {
     load.history = {};  // some start from nothing, and nothing would move
+    begin_in_the_middle(load);
     if (load.as<plate::Settlement>() && c.analysis.kind == Analysis::Kind::dynamic)
       load.history.kind = plate::History::Kind::ramp, load.history.rise_time = c.analysis.duration;  // none jumps
   }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <map>
+#include <functional>
 #include <set>
 
 #include "cases/input/compatibility.hpp"
@@ -325,18 +326,18 @@ std::vector<CombinedPart> LoadCases::parts_of(const post::LoadCaseSummary& combi
 std::vector<std::string> LoadCases::warnings() const {
   constexpr double close = 0.01;
   const double h = plate_.section().thickness;
-  std::vector<double> largest(plate_.tips().size(), 0);  // factors
-  std::map<std::size_t, double> governing;               // the largest utilisation of every tip
-  std::set<std::size_t> told;                            // tips
+  std::vector<double> largest(plate_.tips().size(), 0);             // factors
+  std::map<std::size_t, std::pair<double, std::string>> governing;  // the largest utilisation of every tip, and where
   for (const auto& one : found_) {
     take(largest, one.srif, h);
-    for (const auto& [tip, share] : utilisations(one)) governing[tip] = std::max(governing[tip], share);
-  }
-  std::vector<std::string> result;
-  for (const auto& one : found_)  // what governs comes first
     for (const auto& [tip, share] : utilisations(one))
-      if (share == governing[tip] && told.insert(tip).second)
-        post::tell_growth(tip, share, fmt::format(" in {}", one.name), result);
+      if (auto& most = governing[tip]; most.second.empty() || share > most.first) most = {share, one.name};
+  }
+  std::vector<std::pair<std::size_t, std::pair<double, std::string>>> tips(governing.begin(), governing.end());
+  std::ranges::stable_sort(tips, std::greater(), [](const auto& one) { return one.second.first; });
+  std::vector<std::string> result;
+  for (const auto& [tip, most] : tips)  // what governs comes first
+    post::tell_growth(tip, most.first, fmt::format(" in {}", most.second), result);
   std::set<std::string> warned;  // what about
   const auto tell = [&](const std::string& name, const std::vector<std::string>& said) {
     for (const auto& text : said) {

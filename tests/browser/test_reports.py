@@ -181,11 +181,15 @@ def run_study(program, cases, folder):
 
 
 def run_wide_study(program, folder):
-    """Thirty runs by three methods stand on two sheets of paper, with every number."""
+    """Thirty runs by three methods stand on two sheets of paper, with every number, though five had no room for a method."""
     out, methods = folder / "wide_study", ("virtual_crack_extension", "domain_integral", "displacement_extrapolation")
     rows = [f"{length},{formulation},{spacing},K1,tip 0,{method},{0.1927 * (1 + error):.7f},0.1926604,{error:.6f},{2 * error:.6f},{4 / spacing**2:.0f},120,{0.004 / spacing:.4f},{0.0071 / spacing:.4f},"
             for length in (0.1, 0.2, 0.3, 0.4, 0.5) for formulation in ("galerkin", "ordinary") for spacing in (0.04, 0.02, 0.01)
             for method, error in zip(methods, (0.4 * spacing * length, 0.7 * spacing, 0.9 * spacing + 0.01 * length))]
+    for i, row in enumerate(rows):
+        if "ordinary,0.04" in row and "domain_integral" in row:
+            cells = row.split(",")
+            rows[i] = ",".join([*cells[:6], "", *cells[7:8], "", "", *cells[10:-1], "the results have no such number: no method has room at the tip at this spacing"])
     out.mkdir()
     (out / "study.csv").write_text("\n".join(["length,formulation,spacing,quantity,place,srif_method,computed,reference,error,estimated_error,points,iterations,seconds,processor_seconds,message", *rows, ""]))
     subprocess.run([program, "report", out], check=True)

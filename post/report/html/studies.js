@@ -104,20 +104,29 @@ function csv_cell(name, i) {
 function csv_table(columns, rows, kind = () => null) {
   const words = columns.some(name => (csv[name] ?? []).some(x => typeof x === "string"));
   const some = (name, is) => (csv[name] ?? []).some(x => typeof x === "string" && is(x));
-  return table(columns.map(name => ({ title: spaced(name), left: words && some(name, () => true), long: words && some(name, x => x.length > 24) })),
-    rows.map(i => ({ kind: kind(i), cells: columns.map((name, k) => (k === 0 && report_of(i) ? element("a", { href: `${encodeURIComponent(report_of(i))}/report.html` }, csv_cell(name, i)) : csv_cell(name, i))) })), { "data-table": data.kind });
+  return table(columns.map(name => ({ title: spaced(name), left: words && some(name, () => true), long: words && some(name, x => x.length > 24) })).concat(note_title()),
+    rows.map(i => ({ kind: kind(i), cells: columns.map((name, k) => (k === 0 && report_of(i) ? element("a", { href: `${encodeURIComponent(report_of(i))}/report.html` }, csv_cell(name, i)) : csv_cell(name, i))).concat(note_title().map(() => notes_of([i]))) })), { "data-table": data.kind });
+}
+
+/** The messages of a study, each once; rows give their numbers. */
+const notes = () => (data.kind === "study" ? [...new Set((csv.message ?? []).filter(Boolean))] : []);
+const note_title = () => (notes().length ? [{ title: "note" }] : []);
+
+function notes_of(rows) {
+  const own = rows.filter(i => cell_of("message", i));
+  return own.map((i, n) => [n ? ", " : "", element("span", { class: "number", "data-cell": `message[${i}]`, "data-value": cell_of("message", i) }, `${notes().indexOf(cell_of("message", i)) + 1}`)]);
 }
 
 /** A row for each run and quantity: what differs between methods stands in a column for each method. */
 function table_of_methods(columns, rows) {
-  const methods = [...new Set(rows.map(i => cell_of("srif_method", i)))], runs = [...grouped(rows, i => [...axes, "quantity", "place"].map(name => cell_of(name, i)).join("\n")).values()].map(found => found.map(k => rows[k]));
+  const found = rows.filter(i => cell_of("computed", i) !== null), methods = [...new Set((found.length ? found : rows).map(i => cell_of("srif_method", i)))], runs = [...grouped(rows, i => [...axes, "quantity", "place"].map(name => cell_of(name, i)).join("\n")).values()].map(found => found.map(k => rows[k]));
   const row_of = (run, method) => run.find(i => cell_of("srif_method", i) === method);
-  const own = columns.filter(name => name !== "srif_method" && runs.some(run => new Set(run.map(i => cell_of(name, i))).size > 1)), shared = columns.filter(name => name !== "srif_method" && !own.includes(name));
+  const own = columns.filter(name => name !== "srif_method" && runs.some(run => new Set(run.map(i => cell_of(name, i)).filter(x => x !== null)).size > 1)), shared = columns.filter(name => name !== "srif_method" && !own.includes(name));
   const [before, behind] = [shared.filter(name => axes.includes(name) || name === "quantity" || name === "place"), shared.filter(name => !axes.includes(name) && name !== "quantity" && name !== "place")];
   const title = name => ({ title: spaced(name), left: (csv[name] ?? []).some(x => typeof x === "string") });
   const cell = (name, run, k) => (k === 0 && report_of(run[0]) ? element("a", { href: `${encodeURIComponent(report_of(run[0]))}/report.html` }, csv_cell(name, run[0])) : csv_cell(name, run[0]));
-  return table([...before.map(title), ...own.flatMap(name => methods.map(method => ({ title: [spaced(name), " ", element("span", { class: "unit" }, spaced(method ?? "first method"))] }))), ...behind.map(title)],
-    runs.map(run => [...before.map((name, k) => cell(name, run, k)), ...own.flatMap(name => methods.map(method => (row_of(run, method) === undefined ? "–" : csv_cell(name, row_of(run, method))))), ...behind.map(name => csv_cell(name, run[0]))]), { class: "methods", "data-table": data.kind });
+  return table([...before.map(title), ...own.flatMap(name => methods.map(method => ({ title: [spaced(name), " ", element("span", { class: "unit" }, spaced(method ?? "first method"))] }))), ...behind.map(title), ...note_title()],
+    runs.map(run => [...before.map((name, k) => cell(name, run, k)), ...own.flatMap(name => methods.map(method => (row_of(run, method) === undefined ? "–" : csv_cell(name, row_of(run, method))))), ...behind.map(name => csv_cell(name, run[0])), ...note_title().map(() => notes_of(run))]), { class: "methods", "data-table": data.kind });
 }
 
 /** The report of the run that a row is of. */
@@ -196,12 +205,13 @@ function study_sections() {
   if (data.kind === "comparison") return comparison_sections();
   if (data.kind === "papers") return papers_sections();
   if (data.kind === "extremes") return extremes_sections();
-  const rows = [...Array(length_of(csv)).keys()], wanted = ["quantity", "place", "srif_method", "computed", "reference", "error", "estimated_error", "points", "iterations", "seconds", "processor_seconds", "message"];
+  const rows = [...Array(length_of(csv)).keys()], wanted = ["quantity", "place", "srif_method", "computed", "reference", "error", "estimated_error", "points", "iterations", "seconds", "processor_seconds"];
   const columns = [...axes, ...wanted.filter(name => csv[name] && (differs(name) || name === "error" || name === "computed"))];
   const errors = plots([...error_plots("seconds", { short: "run time", words: "run time [s]" }), ...error_plots("points", { short: "points", words: "points of the plate" })], "grid small");
   const values = plots(axes.flatMap(value_plots), "grid small"), reported = new Set(rows.map(report_of));
-  const runs_table = differs("srif_method") && !differs("message") ? table_of_methods(columns, rows) : csv_table(columns, rows), count = runs_table.querySelectorAll("tbody tr").length;
+  const runs_table = differs("srif_method") ? table_of_methods(columns, rows) : csv_table(columns, rows), told = notes(), count = runs_table.querySelectorAll("tbody tr").length;
   return [...study_header(), methods_section(), errors ? section("Errors", errors, screen_note("Drag over a plot to zoom, double click to go back.")) : null,
     values ? section("Values along the axes", values) : null,
-    section("All runs", count > 60 ? folded(`${count} rows`, runs_table) : runs_table), links((data.runs ?? []).filter(name => !reported.has(name)))];
+    section("All runs", count > 60 ? folded(`${count} rows`, runs_table) : runs_table,
+      told.length ? element("ol", { class: "notes" }, told.map(text => element("li", {}, text))) : null), links((data.runs ?? []).filter(name => !reported.has(name)))];
 }
