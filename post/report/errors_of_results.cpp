@@ -221,12 +221,11 @@ void set_errors_of_reactions(ReactionSummary& own, const ReactionSummary& other,
 
 /// The sizes of the largest values along edges, and the forces at corners: each quantity has one relative error, at
 /// least. Their sign is that of any of two places where the plate is symmetric. Beside corners they fall slower than
-/// other differences.
-void set_errors_along_edges(ReactionSummary& own, const ReactionSummary& other, double share, double least) {
-  constexpr double slower = 1.5;
+/// other differences, as the largest stress does.
+void set_errors_along_edges(ReactionSummary& own, const ReactionSummary& other, const OtherResults& by, double least) {
   std::map<std::string, Differences> groups;
   const auto group = [&](const std::string& name) -> Differences& {
-    return groups.try_emplace(name, slower * share).first->second;
+    return groups.try_emplace(name, by.of_largest_stress * by.share).first->second;
   };
   if (own.edges.size() != other.edges.size() || own.corners.size() != other.corners.size()) return;
   for (std::size_t i = 0; i < own.edges.size(); ++i)
@@ -258,7 +257,7 @@ void set_errors_alike(const Alike& own, const Alike& other, const OtherResults& 
   if (own.reactions && other.reactions) {
     const double least = std::max(sizes.soft_edges, of_bending / 2);
     set_errors_of_reactions(*own.reactions, *other.reactions, share, sizes.diameter, least);
-    set_errors_along_edges(*own.reactions, *other.reactions, share, least);
+    set_errors_along_edges(*own.reactions, *other.reactions, by, least);
   }
   if (own.membrane && other.membrane) set_errors_of_forces_in_plane(*own.membrane, *other.membrane, share);
 }

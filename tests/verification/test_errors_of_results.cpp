@@ -78,15 +78,12 @@ double largest(const std::vector<post::ProbeValue>& values, char first) {
 
 /// The sizes of the largest values along edges, and the forces at corners.
 void compare_along_edges(const post::ReactionSummary& own, const post::ReactionSummary& finer, Tally& tally) {
-  std::map<std::string, double> largest;
-  for (const auto& one : own.edges) {
-    auto& size = largest[one.quantity];
-    size = std::max(size, std::abs(one.value));
-  }
+  double largest = 0;  // moments and forces per length: of plates of size 1
+  for (const auto& one : own.edges) largest = std::max(largest, std::abs(one.value));
   for (std::size_t i = 0; i < own.edges.size(); ++i) {
     const auto& one = own.edges[i];
     tally.add(one.edge + " " + one.quantity, std::abs(one.value), std::abs(finer.edges.at(i).value), one.error,
-              largest[one.quantity]);
+              largest);
   }
   for (std::size_t i = 0; i < own.corners.size(); ++i)
     tally.add(own.corners[i].corner, own.corners[i].force, finer.corners.at(i).force, own.corners[i].error,

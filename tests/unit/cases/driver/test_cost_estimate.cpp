@@ -77,7 +77,7 @@ TEST_CASE("check foretells a motion whose supports move from the first step on",
 TEST_CASE("check foretells a motion under a wheel that has yet to enter", "[foretell]") {
   for (const char* load :
        {"load=[{kind=\"pressure\", value=1, on={circle=[-0.6,0.1,0.2]}, speed=1, path=[[-0.6,0.1],[0.7,0.1]]}]",
-        "load=[{kind=\"point_force\", value=1, position=[-9,0.1], speed=9, "
+        "load=[{kind=\"point_force\", value=1, speed=9, "
         "path=[[-9,0.1],[-1,0.1],[-0.2,0.1],[10,0.3]]}]"}) {
     const auto file = case_text::read(case_text::plain, {"discretization.spacing=0.1", "section.density=1",
                                                          "analysis={kind=\"dynamic\", duration=0.3}", load});
