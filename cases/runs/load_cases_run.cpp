@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
-#include <map>
 #include <functional>
+#include <map>
 #include <set>
 
 #include "cases/input/compatibility.hpp"
