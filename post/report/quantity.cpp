@@ -301,8 +301,11 @@ std::string lack(const Quantity& quantity, const Summary& summary) {
   std::vector<std::string> methods;
   for (const Srif& srif : summary.srif)
     if (srif.tip == quantity.tip) methods.push_back(name_of(srif.method));
-  if (quantity.method.empty() || methods.empty() || std::ranges::find(methods, quantity.method) != methods.end())
-    return "the results have no such number";
+  if (quantity.method.empty() || methods.empty() || std::ranges::find(methods, quantity.method) != methods.end()) {
+    const auto words = [](const char* before, const std::string& text) { return text.empty() ? "" : before + text; };
+    return fmt::format("the results have no {}{}{}", quantity.name, words(" of ", quantity.place()),
+                       words(" by ", quantity.method));
+  }
   return fmt::format("{} has no method {}, but {}", quantity.place(), quantity.method, fmt::join(methods, ", "));
 }
 

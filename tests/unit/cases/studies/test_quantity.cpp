@@ -30,8 +30,9 @@ TEST_CASE("of several methods the one that is named counts") {
   CHECK(run.value({"K1", 0, {}, "series_fit"}) == 99.0);
   CHECK_FALSE(run.value({"K1", 1, {}, "series_fit"}));
   CHECK(post::lack({"K1", 1, {}, "series_fit"}, run.summary) == "tip 1 has no method series_fit, but domain_integral");
-  CHECK(post::lack({"F2", 0, {}, "series_fit"}, run.summary) == "the results have no such number");
-  CHECK(post::lack({"K1", 7, {}, "series_fit"}, run.summary) == "the results have no such number");
+  CHECK(post::lack({"F2", 0, {}, "series_fit"}, run.summary) == "the results have no F2 of tip 0 by series_fit");
+  CHECK(post::lack({"K1", 7, {}, "series_fit"}, run.summary) == "the results have no K1 of tip 7 by series_fit");
+  CHECK(post::lack({"strain_energy"}, run.summary) == "the results have no strain_energy");
 }
 
 TEST_CASE("a history has the rows of its probe, or of its tip and method") {
