@@ -125,7 +125,17 @@ void add_places(const geometry::Polyline& line, double spacing, std::vector<Poin
   }
 }
 
-/// Ring without edges shorter than `least` [length], the ends of which become one place, of the shortest first.
+/// The place where the neighbours a p and q d of a short edge p q meet, if it is no farther away than that edge is
+/// long; else the middle of the edge.
+Point instead_of_edge(const Point& a, const Point& p, const Point& q, const Point& d) {
+  const auto cross = [](const Point& u, const Point& v) { return u.x() * v.y() - u.y() * v.x(); };
+  const double turn = cross(p - a, d - q), length = (q - p).norm();
+  const Point met = p + cross(q - p, d - q) / turn * (p - a);
+  const bool near = turn != 0 && std::max((met - p).norm(), (met - q).norm()) <= length;
+  return near ? met : (p + q) / 2;
+}
+
+/// Ring without edges shorter than `least` [length], of which one place remains, of the shortest first.
 geometry::Polyline without_short_edges(geometry::Polyline ring, double least) {
   while (ring.size() > 3) {
     std::size_t shortest = 0;
@@ -134,8 +144,9 @@ geometry::Polyline without_short_edges(geometry::Polyline ring, double least) {
     for (std::size_t i = 1; i < ring.size(); ++i)
       if (length(i) < length(shortest)) shortest = i;
     if (length(shortest) >= least) break;
-    ring[shortest] = (ring[shortest] + ring[next(shortest)]) / 2;
-    ring.erase(ring.begin() + std::ptrdiff_t(next(shortest)));
+    const std::size_t end = next(shortest), before = (shortest + ring.size() - 1) % ring.size();
+    ring[shortest] = instead_of_edge(ring[before], ring[shortest], ring[end], ring[next(end)]);
+    ring.erase(ring.begin() + std::ptrdiff_t(end));
   }
   return ring;
 }

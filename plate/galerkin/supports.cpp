@@ -139,6 +139,7 @@ std::set<std::uint32_t> points_of_rim(const geometry::Tessellation& cells, std::
   return result;
 }
 
+/// Holds the points on the rims of clamped parts that lie beside the parts.
 void hold_rims(Boundary& boundary, const geometry::Tessellation& cells, const std::vector<Support>& supports,
                const SupportOffsets& moved) {
   for (std::uint32_t by = 0; by < boundary.holders.size(); ++by) {

@@ -23,7 +23,7 @@ PlateSizes sizes_of(const plate::Problem& problem);
 /// Sets the estimated errors of the results of a plate at rest, or of its frequencies: the share of the difference from
 /// those of other points. Two values may agree by chance, so that deflections, rotations and strain energy have at
 /// least the largest relative difference among them, and so have reactions, forces in the plane, moments; a frequency
-/// has at least that of the modes below. Errors that are there already do not get less.
+/// has at least that of the other modes, less of those above. Errors that are there already do not get less.
 void set_errors(Summary& summary, const OtherResults& other, const PlateSizes& sizes);
 
 }  // namespace post
